@@ -1,0 +1,95 @@
+//! A diffuse base under one GGX lobe: f = k_d/π + D G F / (4 cos θ_i cos θ_o).
+//!
+//! D and the height-correlated Smith G are those of GGX, F is Schlick's; see [`microfacet`](super::microfacet).
+//! The base is not darkened where the lobe reflects, so bright bases may exceed energy 1 at grazing angles.
+
+use std::f32::consts::FRAC_1_PI;
+
+use super::microfacet::{ggx_distribution, ggx_visibility, schlick};
+use crate::{Brdf, Directions, Rgb};
+
+/// Smaller α is taken as this: the peak of D, 1/(πα²), stays far from overflow.
+const SMOOTHEST: f32 = 1e-3;
+
+/// A diffuse base and a GGX lobe.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Ggx {
+    /// k_d, albedo of the base, 0..1.
+    pub diffuse: Rgb,
+    /// F₀, reflectance of the lobe at normal incidence, 0..1.
+    pub f0: Rgb,
+    /// Roughness α, 0.001..1 (smaller is taken as 0.001).
+    pub alpha: f32,
+}
+
+impl Brdf for Ggx {
+    fn eval(&self, at: Directions) -> Rgb {
+        if !at.is_above() {
+            return Rgb::BLACK;
+        }
+        let alpha = self.alpha.max(SMOOTHEST);
+        let half = (at.light + at.view).normalize();
+        let lobe = ggx_distribution(half, alpha) * ggx_visibility(at.light.z, at.view.z, alpha);
+        let fresnel = schlick(self.f0, at.light.dot(half));
+        self.diffuse.zip(fresnel, |base, f| (base * FRAC_1_PI + lobe * f).min(f32::MAX))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
+    use crate::metric::directional_albedo;
+
+    fn mirror_like(alpha: f32) -> Ggx {
+        Ggx { diffuse: Rgb::BLACK, f0: Rgb::splat(1.0), alpha }
+    }
+
+    #[test]
+    fn the_peak_facing_the_normal_is_f0_over_four_pi_alpha_squared() {
+        let at = Directions::from_angles(0.0, 0.0, 0.0, 0.0);
+        let expected = 0.5 / (4.0 * std::f32::consts::PI * 0.04);
+        let ggx = Ggx { diffuse: Rgb::BLACK, f0: Rgb::splat(0.5), alpha: 0.2 };
+        assert!((ggx.eval(at)[1] / expected - 1.0).abs() < 1e-5);
+    }
+
+    #[test]
+    fn a_white_lobe_never_reflects_more_than_it_receives() {
+        for alpha in [0.1, 0.3, 0.6, 1.0] {
+            for degrees in [0.0_f32, 45.0, 80.0] {
+                let albedo = directional_albedo(&mirror_like(alpha), degrees.to_radians())[0];
+                assert!(albedo < 1.0 + 5e-3 && albedo > 0.3, "alpha {alpha}, {degrees} degrees: {albedo}");
+            }
+        }
+    }
+
+    /// α = 1 facing the normal is ∫ c / (1 + c) dc over 0..1.
+    #[test]
+    fn the_roughest_white_lobe_seen_from_above_keeps_one_minus_ln_two() {
+        let albedo = directional_albedo(&mirror_like(1.0), 0.0)[0];
+        assert!((albedo - (1.0 - std::f32::consts::LN_2)).abs() < 5e-5, "{albedo}");
+    }
+
+    proptest! {
+        #[test]
+        fn light_and_view_may_be_exchanged(
+            theta_i in 0.0..1.5_f32, theta_o in 0.0..1.5_f32, phi in -3.0..3.0_f32, alpha in 0.01..1.0_f32,
+        ) {
+            let ggx = Ggx { diffuse: Rgb([0.2, 0.1, 0.0]), f0: Rgb([0.04, 0.5, 1.0]), alpha };
+            let at = Directions::from_angles(theta_i, 0.0, theta_o, phi);
+            let (there, back) = (ggx.eval(at), ggx.eval(at.swapped()));
+            for channel in 0..3 {
+                prop_assert!((there[channel] - back[channel]).abs() <= 1e-4 * there[channel]);
+            }
+        }
+
+        #[test]
+        fn values_are_finite_and_not_negative_for_any_directions(
+            theta_i in 0.0..3.2_f32, theta_o in 0.0..3.2_f32, phi in -3.2..3.2_f32, alpha in 0.0..1.0_f32,
+        ) {
+            let value = mirror_like(alpha).eval(Directions::from_angles(theta_i, 0.0, theta_o, phi));
+            prop_assert!(value.is_finite() && value.min() >= 0.0);
+        }
+    }
+}

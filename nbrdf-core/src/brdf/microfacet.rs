@@ -1,0 +1,87 @@
+//! The three factors of a microfacet lobe, D G F / (4 cos θ_i cos θ_o), each as a function.
+//!
+//! B. Walter, S. Marschner, H. Li, K. Torrance, *Microfacet Models for Refraction through Rough Surfaces* (2007);
+//! E. Heitz, *Understanding the Masking-Shadowing Function in Microfacet-Based BRDFs* (2014), section 6.
+//! Cosines are 0..1, α is the roughness parameter, above 0 and at most 1.
+
+use std::f32::consts::PI;
+
+use glam::Vec3;
+
+use crate::Rgb;
+
+/// D of GGX \[1/sr\] at the unit half vector `half` (Walter et al. 2007, eq. 33).
+///
+/// tan² comes from x² + y² rather than 1 − z²: near the normal that difference has no digits left.
+pub fn ggx_distribution(half: Vec3, alpha: f32) -> f32 {
+    if half.z <= 0.0 {
+        return 0.0;
+    }
+    let a2 = alpha * alpha;
+    let spread = half.x * half.x + half.y * half.y + a2 * half.z * half.z;
+    a2 / (PI * spread * spread)
+}
+
+/// G / (4 cos θ_i cos θ_o) with the height-correlated Smith G of GGX (Heitz 2014, eq. 99).
+///
+/// Grows without bound where both cosines go to 0.
+pub fn ggx_visibility(cos_i: f32, cos_o: f32, alpha: f32) -> f32 {
+    let a2 = alpha * alpha;
+    let one_side = |this: f32, that: f32| that * (a2 + (1.0 - a2) * this * this).sqrt();
+    0.5 / (one_side(cos_i, cos_o) + one_side(cos_o, cos_i))
+}
+
+/// Fresnel reflectance from the one at normal incidence
+/// (C. Schlick, *An Inexpensive BRDF Model for Physically-based Rendering*, 1994, eq. 15).
+pub fn schlick(f0: Rgb, cos_diff: f32) -> Rgb {
+    let grazing = (1.0 - cos_diff).clamp(0.0, 1.0).powi(5);
+    f0.map(|f0| f0 + (1.0 - f0) * grazing)
+}
+
+/// Reflectance at normal incidence of a dielectric with index of refraction `ior` in air.
+pub fn f0_from_ior(ior: f32) -> f32 {
+    let ratio = (ior - 1.0) / (ior + 1.0);
+    ratio * ratio
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// ∫ D cos θ dω by the midpoint rule in tan θ = α tan of an even parameter, where the integrand is smooth.
+    fn projected_area(alpha: f32) -> f64 {
+        let n = 20_000;
+        let step = std::f64::consts::FRAC_PI_2 / f64::from(n);
+        let ring = |k: i32| {
+            let s = (f64::from(k) + 0.5) * step;
+            let theta = (f64::from(alpha) * s.tan()).atan();
+            let jacobian = f64::from(alpha) * theta.cos().powi(2) / s.cos().powi(2);
+            let half = glam::DVec3::new(theta.sin(), 0.0, theta.cos()).as_vec3();
+            f64::from(ggx_distribution(half, alpha)) * theta.cos() * theta.sin() * jacobian
+        };
+        2.0 * std::f64::consts::PI * step * (0..n).map(ring).sum::<f64>()
+    }
+
+    #[test]
+    fn facets_cover_the_surface_exactly_once() {
+        for alpha in [0.01, 0.1, 0.3, 0.6, 1.0] {
+            assert!((projected_area(alpha) - 1.0).abs() < 1e-4, "alpha {alpha}: {}", projected_area(alpha));
+        }
+    }
+
+    #[test]
+    fn a_smooth_surface_hides_nothing() {
+        for (cos_i, cos_o) in [(0.2, 0.9), (1.0, 1.0), (0.5, 0.01)] {
+            let g = 4.0 * cos_i * cos_o * ggx_visibility(cos_i, cos_o, 1e-4);
+            assert!((g - 1.0).abs() < 1e-3, "{g}");
+        }
+    }
+
+    #[test]
+    fn glass_reflects_four_percent_and_everything_at_grazing_angles() {
+        let f0 = f0_from_ior(1.5);
+        assert!((f0 - 0.04).abs() < 1e-7);
+        assert_eq!(schlick(Rgb::splat(f0), 1.0), Rgb::splat(f0));
+        assert_eq!(schlick(Rgb::splat(f0), 0.0), Rgb::splat(1.0));
+    }
+}

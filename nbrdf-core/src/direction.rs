@@ -1,0 +1,111 @@
+//! Pairs of directions, and the half/difference coordinates of Rusinkiewicz, both ways.
+//!
+//! S. Rusinkiewicz, *A New Change of Variables for Efficient BRDF Representation* (1998), section 3:
+//! the half vector h of light and view, and the light as seen in the frame whose pole is h.
+
+use glam::{DVec3, Vec3};
+
+/// Light and view, unit vectors away from the surface, in the shading frame (normal is +z).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Directions {
+    /// ω_i, towards the light.
+    pub light: Vec3,
+    /// ω_o, towards the viewer.
+    pub view: Vec3,
+}
+
+/// Half vector and difference vector, with φ_half rotated away: what a network reads.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct HalfDiff {
+    /// (sin θ_half, 0, cos θ_half).
+    pub half: Vec3,
+    /// The light rotated into the half vector's frame.
+    pub diff: Vec3,
+}
+
+/// The four angles \[rad\] of a pair of directions.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Rusinkiewicz {
+    /// Polar angle of the half vector, 0..π/2.
+    pub theta_half: f32,
+    /// Angle between light and half vector, 0..π/2.
+    pub theta_diff: f32,
+    /// Azimuth of the light around the half vector, −π..π.
+    pub phi_diff: f32,
+    /// Azimuth of the half vector, −π..π; isotropic materials do not depend on it.
+    pub phi_half: f32,
+}
+
+impl Directions {
+    /// Light and view, both unit vectors.
+    pub const fn new(light: Vec3, view: Vec3) -> Self {
+        Self { light, view }
+    }
+
+    /// From polar and azimuth angles \[rad\] of light and view.
+    pub fn from_angles(theta_i: f32, phi_i: f32, theta_o: f32, phi_o: f32) -> Self {
+        Self::new(spherical(theta_i, phi_i), spherical(theta_o, phi_o))
+    }
+
+    /// Whether both directions are above the surface. False for NaN.
+    pub fn is_above(self) -> bool {
+        self.light.z > 0.0 && self.view.z > 0.0
+    }
+
+    /// Light and view exchanged (Helmholtz reciprocity).
+    pub const fn swapped(self) -> Self {
+        Self::new(self.view, self.light)
+    }
+
+    /// Half and difference vectors without trigonometry.
+    ///
+    /// sin θ_half is `hypot(h.x, h.y)`: `sqrt(1 − h.z²)` loses three digits near the normal.
+    pub fn half_diff(self) -> HalfDiff {
+        self.half_diff_and_azimuth().0
+    }
+
+    /// The four angles.
+    pub fn rusinkiewicz(self) -> Rusinkiewicz {
+        let (HalfDiff { half, diff }, azimuth) = self.half_diff_and_azimuth();
+        Rusinkiewicz {
+            theta_half: half.x.atan2(half.z),
+            theta_diff: diff.x.hypot(diff.y).atan2(diff.z),
+            phi_diff: diff.y.atan2(diff.x),
+            phi_half: azimuth.1.atan2(azimuth.0),
+        }
+    }
+
+    /// The vectors, and (cos, sin) of φ_half. In f64: rounding here would be seen through a glossy network.
+    fn half_diff_and_azimuth(self) -> (HalfDiff, (f32, f32)) {
+        let l = self.light.as_dvec3();
+        let sum = l + self.view.as_dvec3();
+        let h = sum / sum.length();
+        let sin = h.x.hypot(h.y);
+        let (cos_phi, sin_phi) = if sin > 0.0 { (h.x / sin, h.y / sin) } else { (1.0, 0.0) };
+        let x = cos_phi * l.x + sin_phi * l.y;
+        let y = cos_phi * l.y - sin_phi * l.x;
+        let diff = DVec3::new(h.z * x - sin * l.z, y, sin * x + h.z * l.z);
+        let half = DVec3::new(sin, 0.0, h.z);
+        (HalfDiff { half: half.as_vec3(), diff: diff.as_vec3() }, (cos_phi as f32, sin_phi as f32))
+    }
+}
+
+impl Rusinkiewicz {
+    /// Light and view; the inverse of [`Directions::rusinkiewicz`].
+    pub fn directions(self) -> Directions {
+        let (sin_h, cos_h) = self.theta_half.sin_cos();
+        let (sin_p, cos_p) = self.phi_half.sin_cos();
+        let to_surface = |v: Vec3| {
+            let x = cos_h * v.x + sin_h * v.z;
+            Vec3::new(cos_p * x - sin_p * v.y, sin_p * x + cos_p * v.y, cos_h * v.z - sin_h * v.x)
+        };
+        let d = spherical(self.theta_diff, self.phi_diff);
+        Directions::new(to_surface(d), to_surface(Vec3::new(-d.x, -d.y, d.z)))
+    }
+}
+
+/// Unit vector from polar angle and azimuth \[rad\].
+pub fn spherical(theta: f32, phi: f32) -> Vec3 {
+    let (sin, cos) = theta.sin_cos();
+    Vec3::new(sin * phi.cos(), sin * phi.sin(), cos)
+}

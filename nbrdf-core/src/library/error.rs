@@ -1,0 +1,71 @@
+//! What can be wrong with a library as a whole.
+
+use std::{io, path::Path};
+
+use super::MAX_ENTRIES;
+use crate::nbrdf::{file::ReadError, safetensors::TensorError};
+
+/// Why a library cannot be opened or written.
+#[derive(Debug, thiserror::Error)]
+pub enum LibraryError {
+    /// The file system says no.
+    #[error("{path}: {problem}")]
+    Io {
+        /// The file or folder.
+        path: String,
+        /// What the file system says.
+        problem: io::Error,
+    },
+    /// A zip archive that cannot be trusted or followed.
+    #[error("{path}: not a readable zip archive ({found}): fetch it again, or unpack it and name the folder")]
+    Archive {
+        /// The archive.
+        path: String,
+        /// What is wrong.
+        found: String,
+    },
+    /// More files or bytes than a library has.
+    #[error("{path}: expected at most {MAX_ENTRIES} files and {limit} bytes in all, found more: name a smaller source")]
+    TooLarge {
+        /// The archive or folder.
+        path: String,
+        /// Bytes allowed.
+        limit: u64,
+    },
+    /// Nothing to read there.
+    #[error("{path}: expected .h5, .npz, .safetensors or .npy networks, found none: name a folder or archive of them")]
+    Empty {
+        /// The archive or folder.
+        path: String,
+    },
+    /// One file is no readable network.
+    #[error(transparent)]
+    Entry(#[from] ReadError),
+    /// `library.safetensors` is damaged.
+    #[error("library.safetensors: {0}")]
+    Tensors(#[from] TensorError),
+    /// `manifest.json` is no manifest.
+    #[error("manifest.json: expected a library's manifest with \"schema\": 1, found {0}")]
+    Manifest(String),
+    /// The two files do not belong together.
+    #[error("manifest.json and library.safetensors do not belong together ({0}): make the library again")]
+    Mismatch(String),
+    /// A number that JSON cannot hold.
+    #[error("error `{key}` of material `{name}` is {value}, expected a finite number")]
+    NotFinite {
+        /// The material.
+        name: String,
+        /// Key in its error map.
+        key: String,
+        /// The number.
+        value: f64,
+    },
+}
+
+impl LibraryError {
+    /// For `map_err`: what the file system said, and about what.
+    pub(super) fn io(path: &Path) -> impl FnOnce(io::Error) -> Self {
+        let path = path.display().to_string();
+        |problem| Self::Io { path, problem }
+    }
+}

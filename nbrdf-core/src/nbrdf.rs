@@ -1,0 +1,155 @@
+//! NBRDF: one small network per material.
+//!
+//! A. Sztrajman, G. Rainer, T. Ritschel, T. Weyrich, *Neural BRDF Representation and Importance Sampling* (2021),
+//! doi 10.1111/cgf.14335, section 3: f = exp(W₃ relu(W₂ relu(W₁ (h, d) + b₁) + b₂) + b₃) − 1, 6-21-21-3.
+//! Differs from the paper: the result is clamped at 0 on evaluation, y is capped so that `exp` stays finite.
+
+pub mod file;
+pub mod fit;
+pub mod gradient;
+pub mod keras;
+mod kernel;
+pub mod npy;
+pub mod objective;
+pub mod safetensors;
+pub mod samples;
+mod shape;
+pub mod symmetry;
+
+use std::ops::Range;
+
+use crate::{Brdf, Directions, Rgb};
+
+pub use shape::{ARRAYS, ShapeError};
+
+/// Inputs of the network: h.x h.y h.z d.x d.y d.z.
+pub const INPUTS: usize = 6;
+/// Hidden widths of the published networks.
+pub const PUBLISHED_HIDDEN: [usize; 2] = [21, 21];
+/// Numbers in a published network.
+pub const PUBLISHED_WEIGHTS: usize = weight_count(PUBLISHED_HIDDEN);
+/// Largest hidden width read from a file.
+pub const MAX_HIDDEN: usize = 256;
+
+/// Numbers in a network of these hidden widths: 675 for (21, 21).
+pub const fn weight_count(hidden: [usize; 2]) -> usize {
+    INPUTS * hidden[0] + hidden[0] + hidden[0] * hidden[1] + hidden[1] + hidden[1] * 3 + 3
+}
+
+/// A network and its hidden widths; always finite, always of the right length.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Nbrdf {
+    hidden: [usize; 2],
+    weights: Vec<f32>,
+}
+
+/// Why numbers are not a network.
+#[derive(Debug, thiserror::Error, PartialEq)]
+pub enum NbrdfError {
+    /// Wrong number of weights for the hidden widths.
+    #[error("a {}-{}-{}-3 network has {expected} weights, found {found}", INPUTS, hidden[0], hidden[1])]
+    Length {
+        /// Hidden widths asked for.
+        hidden: [usize; 2],
+        /// Weights they need.
+        expected: usize,
+        /// Weights given.
+        found: usize,
+    },
+    /// A weight is NaN or infinite.
+    #[error("weight {index} is {value}, expected a finite number")]
+    NotFinite {
+        /// Its place in the flattened weights.
+        index: usize,
+        /// Its value.
+        value: f32,
+    },
+    /// A hidden width is zero or beyond [`MAX_HIDDEN`].
+    #[error("hidden widths {hidden:?} are not between 1 and {MAX_HIDDEN}")]
+    Width {
+        /// Hidden widths asked for.
+        hidden: [usize; 2],
+    },
+}
+
+/// Where each array lies in the flattened weights: kernel `(in, out)` row-major, then bias, layer by layer.
+#[derive(Clone, Debug)]
+pub struct Layout {
+    /// Kernel and bias of the three layers.
+    pub layers: [(Range<usize>, Range<usize>); 3],
+}
+
+impl Layout {
+    /// For these hidden widths.
+    pub fn new([first, second]: [usize; 2]) -> Self {
+        let mut start = 0;
+        let layers = [(INPUTS, first), (first, second), (second, 3)].map(|(rows, columns)| {
+            let kernel = start..start + rows * columns;
+            let bias = kernel.end..kernel.end + columns;
+            start = bias.end;
+            (kernel, bias)
+        });
+        Self { layers }
+    }
+}
+
+impl Nbrdf {
+    /// A network of the published shape from its 675 flattened weights.
+    pub fn published(weights: Vec<f32>) -> Result<Self, NbrdfError> {
+        Self::new(PUBLISHED_HIDDEN, weights)
+    }
+
+    /// A network of any hidden widths from its flattened weights.
+    pub fn new(hidden: [usize; 2], weights: Vec<f32>) -> Result<Self, NbrdfError> {
+        if hidden.iter().any(|&width| width == 0 || width > MAX_HIDDEN) {
+            return Err(NbrdfError::Width { hidden });
+        }
+        let expected = weight_count(hidden);
+        if weights.len() != expected {
+            return Err(NbrdfError::Length { hidden, expected, found: weights.len() });
+        }
+        if let Some((index, &value)) = weights.iter().enumerate().find(|(_, w)| !w.is_finite()) {
+            return Err(NbrdfError::NotFinite { index, value });
+        }
+        Ok(Self { hidden, weights })
+    }
+
+    /// Hidden widths.
+    pub const fn hidden(&self) -> [usize; 2] {
+        self.hidden
+    }
+
+    /// Flattened weights.
+    pub fn weights(&self) -> &[f32] {
+        &self.weights
+    }
+
+    /// The weights, moved out.
+    pub fn into_weights(self) -> Vec<f32> {
+        self.weights
+    }
+
+    /// Where each array lies in [`weights`](Self::weights).
+    pub fn layout(&self) -> Layout {
+        Layout::new(self.hidden)
+    }
+}
+
+impl Brdf for Nbrdf {
+    fn eval(&self, at: Directions) -> Rgb {
+        let mut out = [Rgb::BLACK];
+        self.eval_into(&[at], &mut out);
+        out[0]
+    }
+
+    fn eval_into(&self, at: &[Directions], out: &mut [Rgb]) {
+        self.eval_signed_into(at, out);
+        for value in out {
+            *value = value.map(|v| v.max(0.0));
+        }
+    }
+
+    fn eval_signed_into(&self, at: &[Directions], out: &mut [Rgb]) {
+        kernel::forward(self, at, out);
+    }
+}

@@ -1,0 +1,169 @@
+//! What fitting, refining and training minimize, and its derivative with respect to reflectance.
+//!
+//! mean |Δ ln(1 + f c)| + a · mean |Δ ln(f c + 10⁻³)| + b · RMS Δ display, with c = cos θ_i. The first term is the loss of
+//! Sztrajman et al. (2021), section 3; the second weighs dark materials; the third judges sphere pixels as displayed.
+
+use crate::Rgb;
+use crate::nbrdf::samples::Samples;
+
+/// What ln(f c + …) adds, so that black has a logarithm.
+pub const DARKEST: f32 = 1e-3;
+/// Exponent of the display curve.
+const DISPLAY: f32 = 1.0 / 2.2;
+/// Below this radiance the display curve is taken as straight, so that its slope stays finite.
+const DISPLAY_TOE: f32 = 1e-4;
+
+/// Weights of the three terms.
+#[derive(Clone, Copy, Debug)]
+pub struct Objective {
+    /// Of mean |Δ ln(1 + f c)|.
+    pub log: f32,
+    /// Of mean |Δ ln(f c + 10⁻³)|.
+    pub relative: f32,
+    /// Of the RMS of displayed pixels.
+    pub display: f32,
+    /// Take the mean square of displayed pixels instead of its root.
+    pub squared: bool,
+}
+
+impl Objective {
+    /// For fitting networks and training.
+    pub const FIT: Self = Self { log: 1.0, relative: 0.2, display: 0.3, squared: false };
+    /// The published autoencoder's loss: mean square of displayed pixels alone.
+    pub const IMAGE: Self = Self { log: 0.0, relative: 0.0, display: 1.0, squared: true };
+    /// For refining a code.
+    pub const REFINE: Self = Self { log: 1.0, relative: 0.2, display: 1.0, squared: false };
+
+    /// The loss between two lists of [`features`]; writes ∂loss/∂feature of `own`.
+    ///
+    /// # Panics
+    /// If the lengths do not fit the samples (a bug of the caller).
+    pub fn loss(&self, samples: &Samples, own: &[f32], target: &[f32], derivative: &mut [f32]) -> f64 {
+        assert!(own.len() == target.len() && own.len() == derivative.len(), "features of the same samples");
+        let [log, relative, display] = sections(samples);
+        let mut loss = 0.0;
+        for (range, weight) in [(log, self.log), (relative, self.relative)] {
+            let scale = weight / range.len().max(1) as f32;
+            let mut sum = 0.0;
+            for i in range {
+                let difference = own[i] - target[i];
+                sum += f64::from(difference.abs());
+                derivative[i] = if difference == 0.0 { 0.0 } else { scale.copysign(difference) };
+            }
+            loss += sum * f64::from(scale);
+        }
+        let count = display.len().max(1) as f32;
+        let square: f64 = display.clone().map(|i| f64::from(own[i] - target[i]).powi(2)).sum();
+        let mean_square = square / f64::from(count);
+        let rms = (mean_square + 1e-12).sqrt();
+        let (value, slope) = if self.squared { (mean_square, 2.0) } else { (rms, 1.0 / rms) };
+        for i in display {
+            derivative[i] = self.display * slope as f32 * (own[i] - target[i]) / count;
+        }
+        loss + f64::from(self.display) * value
+    }
+
+    /// The weight of each feature's squared difference in one step of iteratively reweighted least squares.
+    pub fn squared_weights(&self, samples: &Samples, residual: &[f32]) -> Vec<f32> {
+        let [log, relative, display] = sections(samples);
+        let mut weights = vec![0.0; residual.len()];
+        for (range, weight) in [(log, self.log), (relative, self.relative)] {
+            let count = range.len().max(1) as f32;
+            let typical = range.clone().map(|i| residual[i].abs()).sum::<f32>() / count;
+            for i in range {
+                weights[i] = weight / (count * residual[i].abs().max(0.1 * typical).max(1e-6));
+            }
+        }
+        let count = display.len().max(1) as f32;
+        let rms = (display.clone().map(|i| residual[i] * residual[i]).sum::<f32>() / count).sqrt().max(1e-6);
+        for i in display {
+            weights[i] = self.display / (count * rms);
+        }
+        weights
+    }
+}
+
+/// Features of each kind, three per direction or pixel.
+fn sections(samples: &Samples) -> [std::ops::Range<usize>; 3] {
+    let counts = samples.counts;
+    let log = 3 * counts.log;
+    let relative = log + 3 * counts.relative;
+    [0..log, log..relative, relative..relative + 3 * counts.pixels]
+}
+
+/// Number of [`features`].
+pub fn feature_count(samples: &Samples) -> usize {
+    sections(samples)[2].end
+}
+
+/// The values in the units in which they are compared: ln(1 + f c), ln(f c + 10⁻³), displayed pixels.
+pub fn features(samples: &Samples, values: &[Rgb]) -> Vec<f32> {
+    let mut out = vec![0.0; feature_count(samples)];
+    features_into(samples, values, &mut out);
+    out
+}
+
+/// As [`features`], into a given slice.
+pub fn features_into(samples: &Samples, values: &[Rgb], out: &mut [f32]) {
+    let [log, relative, display] = sections(samples);
+    for i in log {
+        out[i] = (1.0 + values[i / 3][i % 3] * samples.factors[i / 3]).max(0.1).ln();
+    }
+    for i in relative {
+        out[i] = ((values[i / 3][i % 3] * samples.factors[i / 3]).max(0.0) + DARKEST).ln();
+    }
+    for (pixel, out) in out[display].chunks_exact_mut(3).enumerate() {
+        let radiance = radiance(samples, values, pixel);
+        for (out, radiance) in out.iter_mut().zip(radiance.0) {
+            *out = displayed(radiance);
+        }
+    }
+}
+
+/// ∂loss/∂f from ∂loss/∂feature; `values` are those the features came from.
+pub fn pull_back(samples: &Samples, values: &[Rgb], own: &[f32], by_feature: &[f32], by_value: &mut [Rgb]) {
+    let [log, relative, display] = sections(samples);
+    for i in log {
+        let (f, c) = (values[i / 3][i % 3], samples.factors[i / 3]);
+        by_value[i / 3][i % 3] = by_feature[i] * c / (1.0 + f * c).max(0.1);
+    }
+    for i in relative {
+        let (f, c) = (values[i / 3][i % 3], samples.factors[i / 3]);
+        by_value[i / 3][i % 3] = if f > 0.0 { by_feature[i] * c / (f * c + DARKEST) } else { 0.0 };
+    }
+    let first = samples.counts.log + samples.counts.relative;
+    for pixel in 0..samples.counts.pixels {
+        let at = display.start + 3 * pixel;
+        let radiance = radiance(samples, values, pixel);
+        for channel in 0..3 {
+            let slope = by_feature[at + channel] * display_slope(radiance[channel], own[at + channel]);
+            for lamp in first + samples.counts.lamps * pixel..first + samples.counts.lamps * (pixel + 1) {
+                let lit = values[lamp][channel] > 0.0;
+                by_value[lamp][channel] = if lit { slope * samples.factors[lamp] } else { 0.0 };
+            }
+        }
+    }
+}
+
+/// Radiance of a sampled pixel: its lamps summed.
+fn radiance(samples: &Samples, values: &[Rgb], pixel: usize) -> Rgb {
+    let first = samples.counts.log + samples.counts.relative + samples.counts.lamps * pixel;
+    (first..first + samples.counts.lamps)
+        .fold(Rgb::BLACK, |sum, lamp| sum + values[lamp].map(|f| f.max(0.0)) * samples.factors[lamp])
+}
+
+fn displayed(radiance: f32) -> f32 {
+    let clipped = radiance.min(1.0);
+    if clipped < DISPLAY_TOE { clipped * DISPLAY_TOE.powf(DISPLAY - 1.0) } else { clipped.powf(DISPLAY) }
+}
+
+/// Slope of the display curve; a clipped pixel keeps a little, or it could never come back.
+fn display_slope(radiance: f32, displayed: f32) -> f32 {
+    if radiance < DISPLAY_TOE {
+        DISPLAY_TOE.powf(DISPLAY - 1.0)
+    } else if radiance <= 1.0 {
+        DISPLAY * displayed / radiance
+    } else {
+        DISPLAY / radiance
+    }
+}

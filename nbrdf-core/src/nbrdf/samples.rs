@@ -1,0 +1,129 @@
+//! Random directions and sphere pixels on which a fit compares two reflectances.
+
+use rand::{Rng, RngExt};
+
+use crate::direction::spherical;
+use crate::{Brdf, Directions, HalfDiff, Rgb, Vec3};
+
+/// How many samples of each kind.
+#[derive(Clone, Copy, Debug)]
+pub struct SampleCounts {
+    /// Directions compared as ln(1 + f cos θ_i).
+    pub log: usize,
+    /// Directions compared as ln(f cos θ_i + 10⁻³).
+    pub relative: usize,
+    /// Pixels of a sphere, compared as displayed.
+    pub pixels: usize,
+    /// Lights on every pixel.
+    pub lamps: usize,
+}
+
+impl SampleCounts {
+    /// One step of a fit or of training.
+    pub const STEP: Self = Self { log: 128, relative: 256, pixels: 32, lamps: 4 };
+    /// A whole refinement, which keeps its samples from step to step.
+    pub const REFINE: Self = Self { log: 2048, relative: 2048, pixels: 768, lamps: 4 };
+
+    const fn directions(self) -> usize {
+        self.log + self.relative + self.lamps * self.pixels
+    }
+}
+
+/// Directions in the order log, relative, pixels.
+#[derive(Clone, Debug)]
+pub struct Samples {
+    /// How many of each kind.
+    pub counts: SampleCounts,
+    /// Light and view of every sample.
+    pub directions: Vec<Directions>,
+    /// The same as network inputs.
+    pub inputs: Vec<HalfDiff>,
+    /// cos θ_i; for a pixel's lamp also times its irradiance.
+    pub factors: Vec<f32>,
+}
+
+impl Samples {
+    /// Draws directions uniformly in (θ_half, θ_diff, φ_diff), and pixels uniformly over a sphere's disc.
+    pub fn random(rng: &mut impl Rng, counts: SampleCounts) -> Self {
+        let mut directions = Vec::with_capacity(counts.directions());
+        let mut factors = Vec::with_capacity(counts.directions());
+        while directions.len() < counts.log + counts.relative {
+            let at = random_directions(rng);
+            if at.is_above() {
+                directions.push(at);
+                factors.push(at.light.z);
+            }
+        }
+        for _ in 0..counts.pixels {
+            // On an orthographic sphere, sin² θ_o is uniform over the disc.
+            let sin2: f32 = rng.random_range(0.0..0.98);
+            let view = Vec3::new(sin2.sqrt(), 0.0, (1.0 - sin2).sqrt());
+            for _ in 0..counts.lamps {
+                let light = random_light(rng, view);
+                let irradiance = std::f32::consts::PI * (0.03 + 0.8 * rng.random_range(0.0f32..1.0).powi(2));
+                directions.push(Directions::new(light, view));
+                factors.push(light.z * irradiance);
+            }
+        }
+        Self::new(counts, directions, factors)
+    }
+
+    /// The lit pixels of a sphere under one directional light, as the published autoencoder was trained on:
+    /// `size`² pixels seen along +z, `light` towards the light in the viewer's frame, irradiance π.
+    pub fn sphere(size: usize, light: Vec3) -> Self {
+        let (mut directions, mut factors) = (Vec::new(), Vec::new());
+        let centre = |i: usize| ((i as f32 + 0.5) / size as f32 * 2.0 - 1.0) / 0.99;
+        for (row, column) in (0..size * size).map(|pixel| (pixel / size, pixel % size)) {
+            let (x, y) = (centre(column), -centre(row));
+            let r2 = x * x + y * y;
+            if r2 >= 1.0 {
+                continue;
+            }
+            let normal = Vec3::new(x, y, (1.0 - r2).sqrt());
+            let (tangent, bitangent) = normal.any_orthonormal_pair();
+            let local = |v: Vec3| Vec3::new(v.dot(tangent), v.dot(bitangent), v.dot(normal));
+            let at = Directions::new(local(light), local(Vec3::Z));
+            if at.is_above() {
+                directions.push(at);
+                factors.push(at.light.z * std::f32::consts::PI);
+            }
+        }
+        let counts = SampleCounts { log: 0, relative: 0, pixels: directions.len(), lamps: 1 };
+        Self::new(counts, directions, factors)
+    }
+
+    fn new(counts: SampleCounts, directions: Vec<Directions>, factors: Vec<f32>) -> Self {
+        let inputs = directions.iter().map(|at| at.half_diff()).collect();
+        Self { counts, directions, inputs, factors }
+    }
+
+    /// The reflectance at every sample.
+    pub fn values(&self, brdf: &dyn Brdf) -> Vec<Rgb> {
+        let mut values = vec![Rgb::BLACK; self.directions.len()];
+        brdf.eval_into(&self.directions, &mut values);
+        values
+    }
+}
+
+/// A pair uniform in θ_half, θ_diff, φ_diff; it may lie below the horizon.
+fn random_directions(rng: &mut impl Rng) -> Directions {
+    use std::f32::consts::{FRAC_PI_2, TAU};
+    crate::Rusinkiewicz {
+        theta_half: rng.random_range(0.0..FRAC_PI_2),
+        theta_diff: rng.random_range(0.0..FRAC_PI_2),
+        phi_diff: rng.random_range(0.0..TAU),
+        phi_half: 0.0,
+    }
+    .directions()
+}
+
+/// A light above the surface and not behind the sphere.
+fn random_light(rng: &mut impl Rng, view: Vec3) -> Vec3 {
+    loop {
+        let cos: f32 = rng.random_range(0.01..1.0);
+        let light = spherical(cos.acos(), rng.random_range(0.0..std::f32::consts::TAU));
+        if light.dot(view) > -0.2 {
+            return light;
+        }
+    }
+}

@@ -1,0 +1,73 @@
+//! Ways to walk between materials.
+
+pub mod code_path;
+pub mod mix;
+pub mod nearest_end;
+pub mod weight_path;
+pub mod weights;
+
+pub use weights::{Weights, WeightsError};
+
+use crate::representation::{DecodeError, EncodeError};
+use crate::{Brdf, Material};
+
+/// A way to walk between materials; the costly part happens once, in `between`.
+///
+/// Contract: `between` takes two or more ends; the path at weight 1 of an end is the method's own version of that end;
+/// every point is finite and not negative.
+pub trait Interpolation: Send + Sync {
+    /// Name in the catalog and in reports.
+    fn name(&self) -> &'static str;
+
+    /// Prepares the walk.
+    fn between(&self, ends: &[Material]) -> Result<Box<dyn Path>, PathError>;
+}
+
+/// A prepared walk.
+pub trait Path: Send + Sync {
+    /// The material at these barycentric weights, one per end.
+    fn at(&self, weights: &Weights) -> Result<Box<dyn Brdf>, PathError>;
+}
+
+/// Why there is no path, or no such point on it.
+#[derive(Debug, thiserror::Error)]
+pub enum PathError {
+    /// Fewer than two ends.
+    #[error("a path needs at least two materials, found {found}")]
+    TooFewEnds {
+        /// Ends given.
+        found: usize,
+    },
+    /// Another number of weights than ends.
+    #[error("the path has {ends} ends, found {weights} weights")]
+    Weights {
+        /// Ends of the path.
+        ends: usize,
+        /// Weights given.
+        weights: usize,
+    },
+    /// An end has no code.
+    #[error(transparent)]
+    Encode(#[from] EncodeError),
+    /// A mixed code is no material.
+    #[error(transparent)]
+    Decode(#[from] DecodeError),
+    /// Mixed weights are no network.
+    #[error(transparent)]
+    Network(#[from] crate::nbrdf::NbrdfError),
+}
+
+/// Refuses paths with fewer than two ends.
+pub(crate) fn at_least_two(ends: &[Material]) -> Result<(), PathError> {
+    if ends.len() < 2 { Err(PathError::TooFewEnds { found: ends.len() }) } else { Ok(()) }
+}
+
+/// `Σ weight · vector`.
+pub(crate) fn weighted_sum(weights: &Weights, vectors: &[Vec<f32>]) -> Result<Vec<f32>, PathError> {
+    let weights = weights.for_ends(vectors.len())?;
+    let mut sum = vec![0.0; vectors[0].len()];
+    for (&weight, vector) in weights.iter().zip(vectors) {
+        sum.iter_mut().zip(vector).for_each(|(sum, v)| *sum += weight * v);
+    }
+    Ok(sum)
+}

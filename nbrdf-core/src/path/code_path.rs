@@ -1,0 +1,44 @@
+//! Straight paths in the code of any representation: latent, PCA, ...
+
+use std::sync::Arc;
+
+use super::{Interpolation, Path, PathError, Weights, at_least_two, weighted_sum};
+use crate::{Brdf, Material, Representation};
+
+/// Encodes the ends, mixes their codes, decodes.
+pub struct CodeInterpolation {
+    name: &'static str,
+    representation: Arc<dyn Representation>,
+}
+
+impl CodeInterpolation {
+    /// Under the name that reports use.
+    pub fn new(name: &'static str, representation: Arc<dyn Representation>) -> Self {
+        Self { name, representation }
+    }
+}
+
+struct CodePath {
+    representation: Arc<dyn Representation>,
+    codes: Vec<Vec<f32>>,
+}
+
+impl Interpolation for CodeInterpolation {
+    fn name(&self) -> &'static str {
+        self.name
+    }
+
+    fn between(&self, ends: &[Material]) -> Result<Box<dyn Path>, PathError> {
+        at_least_two(ends)?;
+        let codes = ends.iter().map(|end| Ok(self.representation.encode(end)?.code));
+        let codes = codes.collect::<Result<_, PathError>>()?;
+        Ok(Box::new(CodePath { representation: Arc::clone(&self.representation), codes }))
+    }
+}
+
+impl Path for CodePath {
+    fn at(&self, weights: &Weights) -> Result<Box<dyn Brdf>, PathError> {
+        let code = self.representation.code(weighted_sum(weights, &self.codes)?);
+        Ok(self.representation.decode(&code)?)
+    }
+}

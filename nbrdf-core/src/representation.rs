@@ -1,0 +1,145 @@
+//! Ways to store a material as a few numbers, and to get it back.
+
+pub mod code;
+pub mod log_table;
+pub mod pca;
+pub mod pca_tables;
+pub mod pca_weights;
+pub mod refined;
+
+pub use code::Code;
+
+use crate::{Brdf, Material, Nbrdf};
+
+/// A way to store a material as `dim` numbers, and to get it back.
+///
+/// Contract: `encode` is deterministic and gives a code of `dim` finite numbers that `decode` takes; `decode` refuses
+/// codes of another representation, of another checkpoint, of the wrong length, or not finite.
+pub trait Representation: Send + Sync {
+    /// Name in the catalog and in codes.
+    fn name(&self) -> &'static str;
+
+    /// Numbers in a code.
+    fn dim(&self) -> usize;
+
+    /// Hash of what was learned (basis, network); codes carry it, so that they are never read with another one.
+    fn checkpoint(&self) -> &str;
+
+    /// The numbers that stand for a material.
+    fn encode(&self, target: &Material) -> Result<Code, EncodeError>;
+
+    /// The reflectance that a code stands for.
+    fn decode(&self, code: &Code) -> Result<Box<dyn Brdf>, DecodeError>;
+
+    /// The network that a code stands for; none where codes decode to something else (tables, formulas).
+    fn network(&self, code: &Code) -> Result<Option<Nbrdf>, DecodeError> {
+        code.checked(self.name(), self.checkpoint(), self.dim()).map(|_| None)
+    }
+
+    /// A code of this representation from plain numbers.
+    fn code(&self, numbers: Vec<f32>) -> Code {
+        Code::new(self.name(), self.checkpoint(), numbers)
+    }
+}
+
+impl<R: Representation + ?Sized> Representation for std::sync::Arc<R> {
+    fn name(&self) -> &'static str {
+        (**self).name()
+    }
+
+    fn dim(&self) -> usize {
+        (**self).dim()
+    }
+
+    fn checkpoint(&self) -> &str {
+        (**self).checkpoint()
+    }
+
+    fn encode(&self, target: &Material) -> Result<Code, EncodeError> {
+        (**self).encode(target)
+    }
+
+    fn decode(&self, code: &Code) -> Result<Box<dyn Brdf>, DecodeError> {
+        (**self).decode(code)
+    }
+
+    fn network(&self, code: &Code) -> Result<Option<Nbrdf>, DecodeError> {
+        (**self).network(code)
+    }
+}
+
+/// Why a material has no code.
+#[derive(Debug, thiserror::Error)]
+pub enum EncodeError {
+    /// The representation reads weights, and the material has none.
+    #[error("{model} encodes networks, and '{material}' has none: fit one first")]
+    NeedsNetwork {
+        /// The representation.
+        model: &'static str,
+        /// The material.
+        material: String,
+    },
+    /// The network has another shape than those the representation was learned from.
+    #[error("{model} takes networks of hidden widths {expected:?}, '{material}' has {found:?}: fit it again")]
+    Shape {
+        /// The representation.
+        model: &'static str,
+        /// The material.
+        material: String,
+        /// Hidden widths expected.
+        expected: [usize; 2],
+        /// Hidden widths found.
+        found: [usize; 2],
+    },
+    /// The material evaluates to NaN or infinity.
+    #[error("'{material}' gives values that are not finite")]
+    NotFinite {
+        /// The material.
+        material: String,
+    },
+    /// The representation's own code could not be decoded.
+    #[error(transparent)]
+    Decode(#[from] DecodeError),
+}
+
+/// Why numbers are not a code of this representation.
+#[derive(Debug, thiserror::Error)]
+pub enum DecodeError {
+    /// Made by another representation.
+    #[error("the code was made by '{found}', this is '{expected}': decode it with --with {found}")]
+    Model {
+        /// This representation.
+        expected: String,
+        /// The code's.
+        found: String,
+    },
+    /// Made with another checkpoint.
+    #[error("the code was made with checkpoint {found}, this is {expected}: use that checkpoint, or encode again")]
+    Checkpoint {
+        /// This checkpoint.
+        expected: String,
+        /// The code's.
+        found: String,
+    },
+    /// Wrong number of numbers.
+    #[error("a code of {model} has {expected} numbers, found {found}")]
+    Length {
+        /// The representation.
+        model: String,
+        /// Numbers expected.
+        expected: usize,
+        /// Numbers found.
+        found: usize,
+    },
+    /// A number is NaN or infinite.
+    #[error("number {index} of the code is {value}, expected a finite number")]
+    NotFinite {
+        /// Its place.
+        index: usize,
+        /// Its value.
+        value: f32,
+    },
+    /// The representation failed on a valid code.
+    #[error("{0}")]
+    Failed(String),
+}

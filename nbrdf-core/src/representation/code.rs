@@ -1,0 +1,48 @@
+//! The few numbers that stand for a material, and which model they belong to.
+
+use serde::{Deserialize, Serialize};
+
+use super::DecodeError;
+
+/// A code and where it comes from; its JSON form is what `nbrdf encode` writes.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Code {
+    /// Version of the JSON form.
+    pub schema: u32,
+    /// Name of the representation.
+    pub model: String,
+    /// Hash of what the representation has learned.
+    pub checkpoint: String,
+    /// The numbers.
+    pub code: Vec<f32>,
+    /// Name of the encoded material, where known.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub material: Option<String>,
+}
+
+impl Code {
+    /// Version of the JSON form that this software writes and reads.
+    pub const SCHEMA: u32 = 1;
+
+    /// A code without a material's name.
+    pub fn new(model: &str, checkpoint: &str, code: Vec<f32>) -> Self {
+        Self { schema: Self::SCHEMA, model: model.into(), checkpoint: checkpoint.into(), code, material: None }
+    }
+
+    /// The numbers, if this is a code of that model, checkpoint and length.
+    pub fn checked(&self, model: &str, checkpoint: &str, dim: usize) -> Result<&[f32], DecodeError> {
+        if self.model != model {
+            return Err(DecodeError::Model { expected: model.into(), found: self.model.clone() });
+        }
+        if self.checkpoint != checkpoint {
+            return Err(DecodeError::Checkpoint { expected: checkpoint.into(), found: self.checkpoint.clone() });
+        }
+        if self.code.len() != dim {
+            return Err(DecodeError::Length { model: model.into(), expected: dim, found: self.code.len() });
+        }
+        match self.code.iter().enumerate().find(|(_, v)| !v.is_finite()) {
+            Some((index, &value)) => Err(DecodeError::NotFinite { index, value }),
+            None => Ok(&self.code),
+        }
+    }
+}

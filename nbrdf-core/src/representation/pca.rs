@@ -1,0 +1,150 @@
+//! Principal components of long vectors, learned from few of them.
+//!
+//! The eigenvectors of the small Gram matrix give the components (Turk and Pentland 1991, section 2), so that neither a
+//! covariance nor an SVD of the long side is ever formed. Products are summed in f32 over short pieces, these in f64.
+
+use faer::{Mat, Side};
+use rayon::prelude::*;
+
+/// Mean and orthonormal components.
+pub struct Pca {
+    /// Mean of the training vectors.
+    pub mean: Vec<f32>,
+    /// Components, largest variance first, each as long as the mean.
+    pub components: Vec<Vec<f32>>,
+}
+
+/// Why components could not be learned.
+#[derive(Debug, thiserror::Error)]
+pub enum PcaError {
+    /// Not more vectors than components.
+    #[error("{components} components need more than {components} training materials, found {found}")]
+    TooFew {
+        /// Components asked for.
+        components: usize,
+        /// Training vectors.
+        found: usize,
+    },
+    /// The eigenvalues did not converge (values that are not finite).
+    #[error("the training materials have no principal components: are all values finite?")]
+    NoConvergence,
+}
+
+impl Pca {
+    /// Learns `count` components from `rows` of equal length.
+    pub fn learn(mut rows: Vec<Vec<f32>>, count: usize) -> Result<Self, PcaError> {
+        let n = rows.len();
+        if n <= count {
+            return Err(PcaError::TooFew { components: count, found: n });
+        }
+        let mean = mean(&rows);
+        rows.par_iter_mut().for_each(|row| row.iter_mut().zip(&mean).for_each(|(v, m)| *v -= m));
+        let gram: Vec<Vec<f64>> =
+            (0..n).into_par_iter().map(|i| (0..=i).map(|j| dot(&rows[i], &rows[j])).collect()).collect();
+        let gram = Mat::from_fn(n, n, |i, j| gram[i.max(j)][i.min(j)]);
+        let eigen = gram.self_adjoint_eigen(Side::Lower).map_err(|_| PcaError::NoConvergence)?;
+        let components = (0..count)
+            .into_par_iter()
+            .map(|k| {
+                // faer sorts eigenvalues upwards
+                let column = n - 1 - k;
+                let scale = 1.0 / eigen.S().column_vector()[column].max(1e-30).sqrt();
+                let weights: Vec<f32> = (0..n).map(|i| (eigen.U()[(i, column)] * scale) as f32).collect();
+                with_fixed_sign(combine(&vec![0.0; mean.len()], &weights, &rows))
+            })
+            .collect();
+        Ok(Self { mean, components })
+    }
+
+    /// Coordinates of the nearest point of the learned subspace.
+    pub fn project(&self, row: &[f32]) -> Vec<f32> {
+        let centred: Vec<f32> = row.iter().zip(&self.mean).map(|(v, m)| v - m).collect();
+        self.components.par_iter().map(|component| dot(&centred, component) as f32).collect()
+    }
+
+    /// The vector with these coordinates.
+    pub fn reconstruct(&self, code: &[f32]) -> Vec<f32> {
+        combine(&self.mean, code, &self.components)
+    }
+}
+
+/// Eigenvectors come with either sign; this one's largest number is positive.
+fn with_fixed_sign(mut component: Vec<f32>) -> Vec<f32> {
+    let largest = component.iter().fold(0.0f32, |largest, v| if v.abs() > largest.abs() { *v } else { largest });
+    if largest < 0.0 {
+        component.iter_mut().for_each(|v| *v = -*v);
+    }
+    component
+}
+
+/// `base + Σ weight · row`, in pieces that stay in the cache.
+fn combine(base: &[f32], weights: &[f32], rows: &[Vec<f32>]) -> Vec<f32> {
+    const PIECE: usize = 4096;
+    let mut out = base.to_vec();
+    out.par_chunks_mut(PIECE).enumerate().for_each(|(piece, out)| {
+        let start = piece * PIECE;
+        for (&weight, row) in weights.iter().zip(rows) {
+            for (out, v) in out.iter_mut().zip(&row[start..]) {
+                *out += weight * v;
+            }
+        }
+    });
+    out
+}
+
+fn mean(rows: &[Vec<f32>]) -> Vec<f32> {
+    let zero = vec![0.0; rows[0].len()];
+    combine(&zero, &vec![1.0 / rows.len() as f32; rows.len()], rows)
+}
+
+/// Products in f32, sums of pieces in f64.
+fn dot(a: &[f32], b: &[f32]) -> f64 {
+    const LANES: usize = 16;
+    const PIECE: usize = 1024;
+    let piece = |(a, b): (&[f32], &[f32])| -> f64 {
+        let mut sums = [0.0f32; LANES];
+        for (a, b) in a.chunks(LANES).zip(b.chunks(LANES)) {
+            for (sum, (a, b)) in sums.iter_mut().zip(a.iter().zip(b)) {
+                *sum += a * b;
+            }
+        }
+        f64::from(sums.iter().sum::<f32>())
+    };
+    a.chunks(PIECE).zip(b.chunks(PIECE)).map(piece).sum()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Twelve points on a plane in five dimensions, shifted.
+    fn rows() -> Vec<Vec<f32>> {
+        let point = |i: usize| {
+            let (a, b) = ((i as f32).sin() * 3.0, (i as f32 * 1.7).cos());
+            vec![a + 1.0, b, a - b, 0.5 * a + 2.0, -b]
+        };
+        (0..12).map(point).collect()
+    }
+
+    #[test]
+    fn two_components_reproduce_points_of_a_plane() {
+        let pca = Pca::learn(rows(), 2).unwrap();
+        for row in rows() {
+            let back = pca.reconstruct(&pca.project(&row));
+            assert!(row.iter().zip(back).all(|(a, b)| (a - b).abs() < 1e-4));
+        }
+    }
+
+    #[test]
+    fn components_are_orthonormal() {
+        let pca = Pca::learn(rows(), 2).unwrap();
+        let product = |a: usize, b: usize| dot(&pca.components[a], &pca.components[b]);
+        assert!((product(0, 0) - 1.0).abs() < 1e-5 && (product(1, 1) - 1.0).abs() < 1e-5);
+        assert!(product(0, 1).abs() < 1e-5);
+    }
+
+    #[test]
+    fn as_many_components_as_materials_are_refused() {
+        assert!(matches!(Pca::learn(rows(), 12), Err(PcaError::TooFew { components: 12, found: 12 })));
+    }
+}

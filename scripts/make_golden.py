@@ -1,0 +1,153 @@
+"""Golden numbers for the tests of every other implementation, by NumPy in float64. Same inputs, same bytes.
+
+    python scripts/make_golden.py [forward] [coordinates] [sphere] [judged]      (default: all)
+
+`forward` needs the published networks (NBRDF_DATA); its file holds directions and results, never a published weight.
+"""
+
+import argparse
+import json
+import re
+import sys
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from safetensors.numpy import save
+
+from nbrdf_jax import data, library, metrics
+from nbrdf_jax.analytic import Microfacet, f0_from_ior
+from nbrdf_jax.coordinates import half_difference, network_inputs, vectors_from_angles
+from nbrdf_jax.delta_e_itp import delta_e_itp
+from nbrdf_jax.directions import golden_directions, rus32k
+from nbrdf_jax.invalid import InvalidFile
+from nbrdf_jax.network import reflectance
+from nbrdf_jax.sphere import LitSphere
+from nbrdf_jax.ssim import ssim
+
+FOLDER = Path(__file__).resolve().parents[1] / "tests" / "golden"
+DIGITS = 12  # printed; fewer than float64 has, so that another libm prints the same bytes
+LIGHTS = ("point", "studio")
+
+GLOSSY = (f0_from_ior(1.5),) * 3
+MATERIALS = {
+    "lambert": Microfacet((0.8, 0.5, 0.2)),
+    "roughness_start": Microfacet((0.2, 0.15, 0.1), GLOSSY, 0.1),
+    "roughness_middle": Microfacet((0.2, 0.15, 0.1), GLOSSY, 0.35),
+    "metal_middle": Microfacet((0.2, 0.025, 0.025), (0.52, 0.405, 0.19), 0.3),
+    "metal_middle_beckmann": Microfacet((0.2, 0.025, 0.025), (0.52, 0.405, 0.19), 0.3, "beckmann"),
+    "metal_middle_gtr1": Microfacet((0.2, 0.025, 0.025), (0.52, 0.405, 0.19), 0.3, "gtr1"),
+}
+PAIRS = (("lambert", "roughness_middle"), ("roughness_start", "roughness_middle"), ("metal_middle", "roughness_middle"))
+
+
+def forward() -> bytes:
+    """f [1000, 3] of each published network at the light and view [1000, 3] stored beside them."""
+    light, view = golden_directions()
+    inputs = network_inputs(light.astype(np.float64), view.astype(np.float64))
+    tensors = {"light": light, "view": view}
+    for database in data.ARCHIVES:
+        for name, weights in library.read(data.archive(database)).items():
+            tensors[name] = reflectance(weights, inputs).astype(np.float32)
+    # One metadata key only: the writer keeps no order among several.
+    return save(tensors, metadata={"about": "f_r [1/sr] clamped at 0, float64 rounded to float32; made by scripts/make_golden.py forward"})
+
+
+def coordinates() -> bytes:
+    """Angles beside light, view, half and difference vectors, from near the normal to grazing."""
+    angles = [(h, p, d, q) for h in (1e-4, 0.3, 0.9) for p in (0.0, 2.5) for d in (1e-4, 0.4, 0.7) for q in (0.0, 1.0, 3.0, -2.0)]
+    light, view = vectors_from_angles(*np.array(angles).T)
+    half, difference = half_difference(light, view)
+    keys = ("theta_half", "phi_half", "theta_diff", "phi_diff")
+    rows = [
+        dict(zip(keys, row), light=light[i], view=view[i], half=half[i], difference=difference[i])
+        for i, row in enumerate(angles)
+        if min(light[i, 2], view[i, 2]) > 0
+    ]
+    return _json("coordinates", "radians; half has phi_half rotated away; compare phi modulo 2 pi", {"cases": rows})
+
+
+def sphere() -> bytes:
+    """Linear pictures of known materials, 32 × 32: some pixels, and the mean over the covered ones."""
+    materials = {}
+    for name, material in MATERIALS.items():
+        materials[name] = _parameters(material)
+        for light in LIGHTS:
+            lit = LitSphere.under(light, 32)
+            picture = lit.render(material)
+            pixels = [{"row": row, "column": column, "rgb": picture[row, column]} for row in range(4, 32, 6) for column in range(4, 32, 6) if lit.covered[row, column]]
+            materials[name][light] = {"covered": int(lit.covered.sum()), "mean": picture[lit.covered].mean(axis=0), "pixels": pixels}
+    return _json("sphere", "linear radiance; row 0 is the top row; alpha is not squared", {"size": 32, "materials": materials})
+
+
+def metric_values() -> bytes:
+    """Metrics between known materials; pictures 128 × 128."""
+    light, view = rus32k()
+    lit = {name: LitSphere.under(name, 128) for name in LIGHTS}
+    rows = []
+    for first, second in PAIRS:
+        a, b = MATERIALS[first], MATERIALS[second]
+        f, g = a(light, view), b(light, view)
+        row: dict[str, Any] = {"reference": first, "other": second}
+        row |= {metric.__name__: metric(f, g, light[:, 2]) for metric in (metrics.log_error, metrics.relative_log)}
+        for name, scene in lit.items():
+            x, y = scene.render(a), scene.render(b)
+            row |= {f"{name}_{metric.__name__}": metric(x[scene.covered], y[scene.covered]) for metric in (metrics.mae, metrics.rmse, metrics.psnr, delta_e_itp)}
+            row[f"{name}_ssim"] = ssim(x, y)
+        rows.append(row)
+    materials = {name: _parameters(material) for name, material in MATERIALS.items()}
+    return _json("judged", "keys as in the measuring protocol", {"directions": len(light), "size": 128, "materials": materials, "pairs": rows})
+
+
+def _parameters(material: Microfacet) -> dict[str, Any]:
+    return {"diffuse": list(material.diffuse), "f0": material.f0 and list(material.f0), "alpha": material.alpha, "lobe": material.lobe}
+
+
+def _json(name: str, about: str, content: dict[str, Any]) -> bytes:
+    header = {"schema": 1, "command": f"python scripts/make_golden.py {name}", "about": about}
+    text = json.dumps(header | _rounded(content), indent=1)
+    flat = re.sub(r"[\[{][^\[\]{}]*[\]}]", lambda match: re.sub(r"\s+", " ", match[0]), text)  # innermost on one line
+    return (flat + "\n").encode()
+
+
+def _rounded(value: Any) -> Any:
+    """Floats to 12 significant digits, arrays to lists; −0 becomes 0."""
+    if isinstance(value, dict):
+        return {key: _rounded(item) for key, item in value.items()}
+    if isinstance(value, np.ndarray | list | tuple):
+        return [_rounded(item) for item in value]
+    return float(f"{value:.{DIGITS}g}") + 0.0 if isinstance(value, float) else value
+
+
+FILES = {
+    "forward": ("forward.safetensors", forward),
+    "coordinates": ("coordinates.json", coordinates),
+    "sphere": ("sphere.json", sphere),
+    "judged": ("judged.json", metric_values),
+}
+
+
+def main() -> int:
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("which", nargs="*", metavar="WHICH", help=f"of {', '.join(FILES)} (default: all)")
+    parser.add_argument("-o", "--output", type=Path, default=FOLDER, help="folder (default: tests/golden)")
+    arguments = parser.parse_args()
+    unknown = set(arguments.which) - set(FILES)
+    if unknown:
+        parser.error(f"no golden file is called {', '.join(sorted(unknown))}; there are {', '.join(FILES)}")
+    try:
+        for which in arguments.which or FILES:
+            name, make = FILES[which]
+            content = make()
+            temporary = arguments.output / f".{name}.part"
+            temporary.write_bytes(content)
+            temporary.replace(arguments.output / name)
+            print(arguments.output / name)
+    except InvalidFile as error:
+        print(f"error: {error}", file=sys.stderr)
+        return 3
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

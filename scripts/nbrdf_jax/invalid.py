@@ -1,0 +1,11 @@
+"""The one error of everything that reads a file: which file, what was expected, what was found, what to do."""
+
+from pathlib import Path
+
+
+class InvalidFile(Exception):
+    """A file is missing or does not hold what it should. The scripts turn it into exit code 3."""
+
+    def __init__(self, path: Path | str, expected: str, found: str, remedy: str = "") -> None:
+        lines = [f"{path}: expected {expected}, found {found}"]
+        super().__init__("\n".join(lines + ([f"  try: {remedy}"] if remedy else [])))
