@@ -1,0 +1,57 @@
+//! The two autoencoders: what they read, how long their codes are, and how they turn one into the other.
+
+mod published;
+mod znbrdf;
+
+pub(crate) use published::PublishedModel;
+pub(crate) use znbrdf::{FEATURES, ZnbrdfModel};
+
+use candle_core::{Result, Tensor};
+
+use crate::parameters::Parameters;
+
+/// Numbers in a code.
+pub const DIM: usize = 32;
+
+/// A trainable autoencoder between rows of inputs and rows of 675 weights.
+pub(crate) trait Model {
+    /// Trainable tensors.
+    fn parameters(&self) -> &Parameters;
+    /// Constants that belong to the checkpoint.
+    fn constants(&self) -> Vec<(&'static str, &Tensor)>;
+    /// Codes \[rows, 32\] of inputs.
+    fn encode(&self, input: &Tensor) -> Result<Tensor>;
+    /// Weights \[rows, 675\] of codes \[rows, 32\].
+    fn decode(&self, code: &Tensor) -> Result<Tensor>;
+}
+
+/// Dense layers `name.0`, `name.1`, ... with `activation` between them.
+pub(crate) fn chain(
+    parameters: &Parameters,
+    name: &str,
+    layers: usize,
+    x: &Tensor,
+    activation: impl Fn(&Tensor) -> Result<Tensor>,
+) -> Result<Tensor> {
+    let mut x = parameters.dense(&format!("{name}.0"), x)?;
+    for layer in 1..layers {
+        x = parameters.dense(&format!("{name}.{layer}"), &activation(&x)?)?;
+    }
+    Ok(x)
+}
+
+/// Adds the dense layers `name.0`, `name.1`, ... of these widths; the last one starts `last_scale` times smaller.
+pub(crate) fn add_chain(
+    parameters: &mut Parameters,
+    name: &str,
+    widths: &[usize],
+    last_scale: f32,
+    rng: &mut impl rand::Rng,
+) -> Result<()> {
+    let last = widths.len() - 2;
+    for (layer, pair) in widths.windows(2).enumerate() {
+        let scale = if layer == last { last_scale } else { 1.0 };
+        parameters.add_dense(&format!("{name}.{layer}"), [pair[0], pair[1]], scale, rng)?;
+    }
+    Ok(())
+}

@@ -1,0 +1,109 @@
+//! Ours: a probe encoder, and a code and decoder that treat the colour channels alike.
+//!
+//! Code \[32\] = 20 shared numbers, then 4 for each channel. Permuting RGB permutes the code, and channels that are equal
+//! at both ends of a path stay equal along it: no colour appears that was in neither end.
+
+use candle_core::{D, Device, Result, Tensor};
+use nbrdf_core::nbrdf::{Layout, PUBLISHED_HIDDEN, PUBLISHED_WEIGHTS};
+use rand::Rng;
+
+use super::{Model, add_chain, chain};
+use crate::parameters::Parameters;
+use crate::probe::PROBES;
+
+const SHARED: usize = 20;
+const CHANNEL: usize = 4;
+/// Features of one channel: its own probes, their mean, their deviation.
+pub(crate) const FEATURES: usize = 3 * PROBES;
+const EMBEDDING: usize = 256;
+
+/// The trainable tensors and the start and spread of the decoded weights.
+pub(crate) struct ZnbrdfModel {
+    parameters: Parameters,
+    /// Start \[675\], the same for all channels.
+    start: Tensor,
+    /// How far weights of training networks lie from it \[675\].
+    spread: Tensor,
+}
+
+impl ZnbrdfModel {
+    /// With random initial weights.
+    pub fn new(start: &[f32], spread: &[f32], rng: &mut impl Rng) -> Result<Self> {
+        let inner = inner_weights();
+        let column = PUBLISHED_HIDDEN[1] + 1;
+        let mut parameters = Parameters::new();
+        add_chain(&mut parameters, "encoder.body", &[FEATURES, 512, 256, EMBEDDING], 1.0, rng)?;
+        parameters.add_dense("encoder.shared", [EMBEDDING, SHARED], 1.0, rng)?;
+        parameters.add_dense("encoder.channel", [2 * EMBEDDING, CHANNEL], 1.0, rng)?;
+        add_chain(&mut parameters, "decoder.trunk", &[SHARED + CHANNEL, 256, 512, inner], 0.1, rng)?;
+        add_chain(&mut parameters, "decoder.head", &[SHARED + 2 * CHANNEL, 128, 128, column], 0.1, rng)?;
+        let row = |values: &[f32]| Tensor::from_slice(&channel_mean(values), PUBLISHED_WEIGHTS, &Device::Cpu);
+        Ok(Self { parameters, start: row(start)?, spread: row(spread)? })
+    }
+
+    /// The mean of \[rows, 3, n\] over the channels, \[rows, n\].
+    fn mean(x: &Tensor) -> Result<Tensor> {
+        let channel = |c| x.narrow(1, c, 1)?.squeeze(1);
+        (channel(0)? + channel(1)?)?.add(&channel(2)?)? / 3.0
+    }
+
+    /// \[rows, n\] repeated for each channel, \[rows, 3, n\].
+    fn repeat(x: &Tensor) -> Result<Tensor> {
+        Tensor::stack(&[x, x, x], 1)
+    }
+}
+
+impl Model for ZnbrdfModel {
+    fn parameters(&self) -> &Parameters {
+        &self.parameters
+    }
+
+    fn constants(&self) -> Vec<(&'static str, &Tensor)> {
+        vec![("start", &self.start), ("spread", &self.spread)]
+    }
+
+    /// Inputs \[rows, 3, 576\].
+    fn encode(&self, input: &Tensor) -> Result<Tensor> {
+        let rows = input.dim(0)?;
+        let p = &self.parameters;
+        let x = input.reshape((rows * 3, FEATURES))?;
+        let embedding = chain(p, "encoder.body", 3, &x, Tensor::silu)?.silu()?.reshape((rows, 3, EMBEDDING))?;
+        let mean = Self::mean(&embedding)?;
+        let shared = p.dense("encoder.shared", &mean)?;
+        let both = Tensor::cat(&[&embedding, &Self::repeat(&mean)?], D::Minus1)?;
+        let channels = p.dense("encoder.channel", &both.reshape((rows * 3, 2 * EMBEDDING))?)?;
+        Tensor::cat(&[&shared, &channels.reshape((rows, 3 * CHANNEL))?], 1)
+    }
+
+    fn decode(&self, code: &Tensor) -> Result<Tensor> {
+        let rows = code.dim(0)?;
+        let p = &self.parameters;
+        let shared = code.narrow(1, 0, SHARED)?;
+        let channels = code.narrow(1, SHARED, 3 * CHANNEL)?.reshape((rows, 3, CHANNEL))?;
+        let common = Tensor::cat(&[&shared, &Self::mean(&channels)?], 1)?;
+        let inner = chain(p, "decoder.trunk", 3, &common, Tensor::silu)?;
+        let own = Tensor::cat(&[&Self::repeat(&common)?, &channels], 2)?;
+        let own = own.reshape((rows * 3, SHARED + 2 * CHANNEL))?;
+        let width = PUBLISHED_HIDDEN[1];
+        let columns = chain(p, "decoder.head", 3, &own, Tensor::silu)?.reshape((rows, 3, width + 1))?;
+        let kernel = columns.narrow(2, 0, width)?.transpose(1, 2)?.contiguous()?.reshape((rows, 3 * width))?;
+        let bias = columns.narrow(2, width, 1)?.reshape((rows, 3))?;
+        let offset = Tensor::cat(&[&inner, &kernel, &bias], 1)?;
+        offset.broadcast_mul(&self.spread)?.broadcast_add(&self.start)
+    }
+}
+
+/// Weights of the first two layers.
+fn inner_weights() -> usize {
+    Layout::new(PUBLISHED_HIDDEN).layers[1].1.end
+}
+
+/// Gives the three channels of the output layer their common mean.
+fn channel_mean(weights: &[f32]) -> Vec<f32> {
+    let mut weights = weights.to_vec();
+    for channels in weights[inner_weights()..].chunks_exact_mut(3) {
+        let mean = channels.iter().sum::<f32>() / 3.0;
+        channels.fill(mean);
+    }
+    weights
+}

@@ -1,0 +1,73 @@
+//! The state of an unfinished training: parameters, moments, step and options.
+
+use std::path::{Path, PathBuf};
+
+use candle_core::{Device, Tensor};
+
+use super::{TrainError, TrainOptions};
+use crate::checkpoint::{self, Checkpoint, tensors_of};
+use crate::model::Model;
+use crate::optimizer::AdamW;
+
+const KEY: &str = "training";
+
+#[derive(serde::Serialize, serde::Deserialize)]
+struct Header {
+    step: usize,
+    options: TrainOptions,
+    /// Hash of the training data.
+    data: String,
+}
+
+/// What a state belongs to.
+#[derive(Clone, Copy)]
+pub(super) struct Run<'a> {
+    pub options: &'a TrainOptions,
+    /// Hash of the training data.
+    pub data: &'a str,
+}
+
+/// Where the state of a training to `out` lies.
+pub(super) fn path(out: &Path) -> PathBuf {
+    let mut name = out.as_os_str().to_owned();
+    name.push(".state");
+    name.into()
+}
+
+/// Writes the state whole or not at all.
+pub(super) fn save(path: &Path, run: Run, model: &dyn Model, optimizer: &AdamW) -> Result<(), TrainError> {
+    let mut tensors = tensors_of(model);
+    let names = model.parameters().iter().map(|(name, _)| name);
+    for ((name, mean), square) in names.zip(&optimizer.mean).zip(&optimizer.square) {
+        tensors.push((format!("mean.{name}"), mean.clone()));
+        tensors.push((format!("square.{name}"), square.clone()));
+    }
+    let header = Header { step: optimizer.step, options: run.options.clone(), data: run.data.to_owned() };
+    Ok(checkpoint::save(path, &tensors, (KEY, &serde_json::json!(header).to_string()))?)
+}
+
+/// Puts a saved state into the model and the optimizer.
+pub(super) fn load(path: &Path, run: Run, model: &dyn Model, optimizer: &mut AdamW) -> Result<(), TrainError> {
+    let file = Checkpoint::load(path)?;
+    let header = file.metadata.get(KEY).and_then(|json| serde_json::from_str::<Header>(json).ok());
+    let Some(header) = header else {
+        let found = "another safetensors file".to_owned();
+        return Err(checkpoint::invalid(&file.path, "the state of a training".into(), found).into());
+    };
+    let expected = Header { step: header.step, options: run.options.clone(), data: run.data.to_owned() };
+    if header.options != expected.options || header.data != expected.data {
+        let show = |header: &Header| serde_json::json!({"options": header.options, "data": header.data}).to_string();
+        return Err(TrainError::OtherRun { path: file.path, expected: show(&expected), found: show(&header) });
+    }
+    file.restore(model)?;
+    for (index, (name, var)) in model.parameters().iter().enumerate() {
+        let moment = |kind: &str| -> Result<Tensor, TrainError> {
+            let values = file.tensor(&format!("{kind}.{name}"), var.dims())?;
+            Ok(Tensor::from_slice(values, var.shape(), &Device::Cpu)?)
+        };
+        optimizer.mean[index] = moment("mean")?;
+        optimizer.square[index] = moment("square")?;
+    }
+    optimizer.step = header.step;
+    Ok(())
+}
