@@ -1,0 +1,206 @@
+//! THE list: every representation, interpolation and metric by name.
+//!
+//! A newcomer writes one file and adds one line here; command line, app, contract tests and result tables follow.
+//! (A metric that `evaluate` should report also needs its line in `measure/target.rs`, which evaluates and renders once.)
+
+mod learned;
+mod reference;
+mod twin;
+
+use std::sync::Arc;
+
+use anyhow::Result;
+use nbrdf_core::metric::{LogError, Metric, RelativeLog, Rendered};
+use nbrdf_core::path::code_path::CodeInterpolation;
+use nbrdf_core::path::mix::Mix;
+use nbrdf_core::path::nearest_end::NearestEnd;
+use nbrdf_core::path::weight_path::WeightInterpolation;
+use nbrdf_core::representation::refined::Refined;
+use nbrdf_core::{Interpolation, Representation};
+
+pub use learned::Catalog;
+pub use reference::Reference;
+
+use twin::{independent_network, shared_start_network};
+
+/// Numbers in a code of the learned representations.
+pub const DIM: usize = 32;
+
+/// How a representation makes its codes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Variant {
+    /// By its encoder, at once.
+    FeedForward,
+    /// By projection onto a linear basis.
+    Projection,
+    /// By either, then a few steps against the target itself.
+    Refined,
+}
+
+impl Variant {
+    /// Name in reports.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::FeedForward => "feed_forward",
+            Self::Projection => "projection",
+            Self::Refined => "refined",
+        }
+    }
+}
+
+type Shared = Arc<dyn Representation>;
+
+/// A representation in the list.
+pub struct RepresentationEntry {
+    /// Name on the command line, in reports and in codes.
+    pub name: &'static str,
+    /// How its codes are made.
+    pub variant: Variant,
+    /// One line for people.
+    pub about: &'static str,
+    build: fn(&Catalog) -> Result<Shared>,
+}
+
+/// An interpolation in the list.
+pub struct InterpolationEntry {
+    /// Name on the command line and in reports.
+    pub name: &'static str,
+    /// Name for people.
+    pub title: &'static str,
+    /// One line for people.
+    pub about: &'static str,
+    build: fn(&Catalog) -> Result<Box<dyn Interpolation>>,
+}
+
+/// Every representation. A name's first line is its plain form, a `Refined` line its refined one.
+pub const REPRESENTATIONS: &[RepresentationEntry] = &[
+    RepresentationEntry {
+        name: "znbrdf",
+        variant: Variant::FeedForward,
+        about: "ZNBRDF: probe encoder, colour channels treated alike",
+        build: |catalog| Ok(catalog.znbrdf()),
+    },
+    RepresentationEntry {
+        name: "znbrdf",
+        variant: Variant::Refined,
+        about: "ZNBRDF, its code refined against the target",
+        build: |catalog| Ok(Arc::new(Refined(catalog.znbrdf()))),
+    },
+    RepresentationEntry {
+        name: "published_autoencoder",
+        variant: Variant::FeedForward,
+        about: "675-675-32-100-675 over flattened weights (Sztrajman et al. 2021)",
+        build: |catalog| Ok(catalog.published()),
+    },
+    RepresentationEntry {
+        name: "pca_tables",
+        variant: Variant::Projection,
+        about: "PCA of ln(f cos + 0.001) tables",
+        build: |catalog| Ok(catalog.pca_tables()?),
+    },
+    RepresentationEntry {
+        name: "pca_tables",
+        variant: Variant::Refined,
+        about: "PCA of log tables, its code refined against the target",
+        build: |catalog| Ok(Arc::new(Refined(catalog.pca_tables()?))),
+    },
+    RepresentationEntry {
+        name: "pca_weights",
+        variant: Variant::Projection,
+        about: "PCA of shared-start weights",
+        build: |catalog| Ok(catalog.pca_weights()?),
+    },
+];
+
+/// Every interpolation, in the order of reports.
+pub const INTERPOLATIONS: &[InterpolationEntry] = &[
+    InterpolationEntry {
+        name: "latent",
+        title: "Latent",
+        about: "straight between ZNBRDF codes",
+        build: |catalog| Ok(Box::new(CodeInterpolation::new("latent", catalog.znbrdf()))),
+    },
+    InterpolationEntry {
+        name: "latent_refined",
+        title: "Latent, refined",
+        about: "straight between refined ZNBRDF codes",
+        build: |catalog| {
+            let refined = Arc::new(Refined(catalog.znbrdf()));
+            Ok(Box::new(CodeInterpolation::new("latent_refined", refined)))
+        },
+    },
+    InterpolationEntry {
+        name: "raw_weights",
+        title: "Raw weights",
+        about: "straight between the 675 weights of independently started networks",
+        build: |_| Ok(Box::new(WeightInterpolation::new("raw_weights", Box::new(independent_network)))),
+    },
+    InterpolationEntry {
+        name: "aligned_weights",
+        title: "Aligned weights",
+        about: "the same, hidden units balanced and matched first",
+        build: |_| Ok(Box::new(WeightInterpolation::aligned("aligned_weights", Box::new(independent_network)))),
+    },
+    InterpolationEntry {
+        name: "shared_start",
+        title: "Shared start",
+        about: "straight between weights fitted from one initial network",
+        build: |_| Ok(Box::new(WeightInterpolation::new("shared_start", Box::new(shared_start_network)))),
+    },
+    InterpolationEntry {
+        name: "pca_weights",
+        title: "PCA of weights",
+        about: "straight between PCA codes of shared-start weights",
+        build: |catalog| Ok(Box::new(CodeInterpolation::new("pca_weights", catalog.pca_weights()?))),
+    },
+    InterpolationEntry {
+        name: "pca_tables",
+        title: "PCA of tables",
+        about: "straight between PCA codes of log tables",
+        build: |catalog| Ok(Box::new(CodeInterpolation::new("pca_tables", catalog.pca_tables()?))),
+    },
+    InterpolationEntry {
+        name: "linear_mix",
+        title: "Linear mix",
+        about: "weighted mean of reflectances",
+        build: |_| Ok(Box::new(Mix::Linear)),
+    },
+    InterpolationEntry {
+        name: "log_mix",
+        title: "Log mix",
+        about: "weighted mean of ln(f + 0.001)",
+        build: |_| Ok(Box::new(Mix::Log)),
+    },
+    InterpolationEntry {
+        name: "log1p_mix",
+        title: "Log(1 + f) mix",
+        about: "weighted mean of ln(f + 1)",
+        build: |_| Ok(Box::new(Mix::Log1p)),
+    },
+    InterpolationEntry {
+        name: "nearest_end",
+        title: "Nearest end",
+        about: "doing nothing",
+        build: |_| Ok(Box::new(NearestEnd)),
+    },
+];
+
+/// Every metric, in the order of reports.
+pub fn metrics() -> Vec<Box<dyn Metric>> {
+    let directions: [Box<dyn Metric>; 2] = [Box::new(LogError), Box::new(RelativeLog)];
+    directions.into_iter().chain(Rendered::all().map(|metric| Box::new(metric) as Box<dyn Metric>)).collect()
+}
+
+impl RepresentationEntry {
+    /// Makes it; may learn a basis first.
+    pub fn build(&self, catalog: &Catalog) -> Result<Shared> {
+        (self.build)(catalog)
+    }
+}
+
+impl InterpolationEntry {
+    /// Makes it; may learn a basis first.
+    pub fn build(&self, catalog: &Catalog) -> Result<Box<dyn Interpolation>> {
+        (self.build)(catalog)
+    }
+}

@@ -1,0 +1,111 @@
+//! What the entries of the list learn from and share: reference materials, checkpoint, bases.
+
+use std::path::Path;
+use std::sync::{Arc, OnceLock};
+
+use anyhow::Result;
+use autoencoder::{Architecture, Autoencoder};
+use nbrdf_core::library::builtin;
+use nbrdf_core::representation::pca_tables::PcaTables;
+use nbrdf_core::representation::pca_weights::PcaWeights;
+use nbrdf_core::{Database, Interpolation, Material, Split};
+
+use super::twin::{WithNetwork, independent_network, shared_start_network};
+use super::{DIM, INTERPOLATIONS, InterpolationEntry, REPRESENTATIONS, Reference, Shared, Variant};
+use crate::failure::Failure;
+
+/// The list, together with what its entries learn from; costly parts are learned once, when first asked for.
+pub struct Catalog {
+    reference: Arc<Reference>,
+    checkpoint: Option<Arc<Autoencoder>>,
+    pca_tables: OnceLock<Arc<PcaTables>>,
+    pca_weights: OnceLock<Arc<WithNetwork<PcaWeights>>>,
+}
+
+impl Catalog {
+    /// Bases are learned from the training materials among these.
+    pub const fn new(reference: Arc<Reference>) -> Self {
+        Self { reference, checkpoint: None, pca_tables: OnceLock::new(), pca_weights: OnceLock::new() }
+    }
+
+    /// With another ZNBRDF checkpoint than the built-in one.
+    pub fn with_checkpoint(self, path: &Path) -> Result<Self> {
+        let loaded = Autoencoder::load(path)?;
+        if loaded.architecture() != Architecture::Znbrdf {
+            let found = loaded.architecture().name();
+            return Err(Failure::InvalidFile(format!("{}: expected znbrdf, found {found}", path.display())).into());
+        }
+        Ok(Self { checkpoint: Some(Arc::new(loaded)), ..self })
+    }
+
+    /// What errors are measured against.
+    pub fn reference(&self) -> &Reference {
+        &self.reference
+    }
+
+    /// A representation by name; `refined` asks for its refined form.
+    pub fn representation(&self, name: &str, refined: bool) -> Result<Shared> {
+        let entries = REPRESENTATIONS.iter().filter(|entry| entry.name == name);
+        let mut entries = entries.filter(|entry| (entry.variant == Variant::Refined) == refined);
+        match entries.next() {
+            Some(entry) => entry.build(self),
+            None if REPRESENTATIONS.iter().any(|entry| entry.name == name) => {
+                Err(Failure::Usage(format!("'{name}' has no refined form")).into())
+            }
+            None => Err(unknown("representation", name, REPRESENTATIONS.iter().map(|entry| entry.name))),
+        }
+    }
+
+    /// An interpolation by name.
+    pub fn interpolation(&self, name: &str) -> Result<Box<dyn Interpolation>> {
+        Self::interpolation_entry(name)?.build(self)
+    }
+
+    /// The line of an interpolation.
+    pub fn interpolation_entry(name: &str) -> Result<&'static InterpolationEntry> {
+        let found = INTERPOLATIONS.iter().find(|entry| entry.name == name);
+        found.ok_or_else(|| unknown("method", name, INTERPOLATIONS.iter().map(|entry| entry.name)))
+    }
+
+    pub(super) fn znbrdf(&self) -> Shared {
+        self.checkpoint.clone().unwrap_or_else(|| Autoencoder::built_in(Architecture::Znbrdf))
+    }
+
+    /// The published architecture, handed independently started networks: those it was trained on.
+    pub(super) fn published(&self) -> Shared {
+        let inner = Autoencoder::built_in(Architecture::Published);
+        Arc::new(WithNetwork { inner, source: independent_network })
+    }
+
+    pub(super) fn pca_tables(&self) -> Result<Arc<PcaTables>> {
+        if let Some(known) = self.pca_tables.get() {
+            return Ok(Arc::clone(known));
+        }
+        let learned = Arc::new(PcaTables::learn(&self.training(&self.reference.materials), DIM)?);
+        Ok(Arc::clone(self.pca_tables.get_or_init(|| learned)))
+    }
+
+    pub(super) fn pca_weights(&self) -> Result<Arc<WithNetwork<PcaWeights>>> {
+        if let Some(known) = self.pca_weights.get() {
+            return Ok(Arc::clone(known));
+        }
+        let learned = PcaWeights::learn(&self.training(&builtin::shared().materials()), DIM)?;
+        Ok(Arc::clone(
+            self.pca_weights.get_or_init(|| Arc::new(WithNetwork { inner: learned, source: shared_start_network })),
+        ))
+    }
+
+    /// The MERL materials that may be learned from.
+    fn training(&self, materials: &[Material]) -> Vec<Material> {
+        let may_learn = |name: &str| Database::of(name) == Database::Merl && Split::of(name).is_training();
+        materials.iter().filter(|material| may_learn(&material.name)).cloned().collect()
+    }
+}
+
+fn unknown(what: &str, name: &str, known: impl Iterator<Item = &'static str>) -> anyhow::Error {
+    let mut names: Vec<&str> = known.collect();
+    names.dedup();
+    let nearest = names.iter().max_by(|a, b| strsim::jaro(a, name).total_cmp(&strsim::jaro(b, name)));
+    let nearest = nearest.copied().unwrap_or_default();
+    Failure::Usage(format!("no {what} '{name}': did you mean '{nearest}'? There are {}", names.join(", "))).into()
+}

@@ -1,0 +1,79 @@
+//! The command line.
+
+use std::process::ExitCode;
+
+use anyhow::Result;
+use clap::{Parser, Subcommand};
+
+use crate::command::Global;
+use crate::command::{
+    blend::Blend, compare::Compare, completions::Completions, decode::Decode, encode::Encode, evaluate::Evaluate,
+    import::Import, info::Info, list::List, render::Render, train::Train,
+};
+use crate::failure::exit_code;
+
+/// Measured materials as 32 numbers: walk between them, render them, judge them.
+#[derive(Debug, Parser)]
+#[command(name = "nbrdf", version, about)]
+pub struct Cli {
+    #[command(flatten)]
+    global: Global,
+    #[command(subcommand)]
+    command: Option<Command>,
+}
+
+#[derive(Debug, Subcommand)]
+enum Command {
+    List(List),
+    Info(Info),
+    #[cfg(feature = "gui")]
+    App(crate::gui::App),
+    Import(Import),
+    Train(Train),
+    Encode(Encode),
+    Decode(Decode),
+    Blend(Blend),
+    Render(Render),
+    Evaluate(Evaluate),
+    Compare(Compare),
+    Completions(Completions),
+}
+
+/// Parses the arguments and runs; the exit code says how it went.
+pub fn run() -> ExitCode {
+    let cli = Cli::parse();
+    match cli.execute() {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => {
+            eprintln!("error: {error:#}");
+            ExitCode::from(exit_code(&error))
+        }
+    }
+}
+
+impl Cli {
+    fn execute(&self) -> Result<()> {
+        if let Some(threads) = self.global.threads {
+            rayon::ThreadPoolBuilder::new().num_threads(threads.get()).build_global()?;
+        }
+        match &self.command {
+            Some(Command::List(command)) => command.run(&self.global),
+            Some(Command::Info(command)) => command.run(&self.global),
+            Some(Command::Import(command)) => command.run(&self.global),
+            Some(Command::Train(command)) => command.run(&self.global),
+            Some(Command::Evaluate(command)) => command.run(&self.global),
+            Some(Command::Compare(command)) => command.run(&self.global),
+            Some(Command::Encode(command)) => command.run(&self.global),
+            Some(Command::Decode(command)) => command.run(&self.global),
+            Some(Command::Blend(command)) => command.run(&self.global),
+            Some(Command::Render(command)) => command.run(&self.global),
+            Some(Command::Completions(command)) => command.run(),
+            #[cfg(feature = "gui")]
+            Some(Command::App(app)) => app.run(),
+            #[cfg(feature = "gui")]
+            None => crate::gui::run(Vec::new()),
+            #[cfg(not(feature = "gui"))]
+            None => anyhow::bail!("this build has no window: `nbrdf --help` names the commands"),
+        }
+    }
+}

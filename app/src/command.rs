@@ -1,0 +1,74 @@
+//! The subcommands, one file each.
+
+pub mod blend;
+pub mod compare;
+pub mod completions;
+pub mod decode;
+pub mod encode;
+pub mod evaluate;
+pub mod import;
+pub mod info;
+pub mod list;
+pub mod render;
+pub mod train;
+
+use anyhow::{Result, bail};
+use clap::Args;
+use nbrdf_core::Material;
+use nbrdf_core::metric::albedo_max;
+
+/// Switches that every command takes.
+#[derive(Debug, Clone, Args)]
+pub struct Global {
+    /// Print the report as JSON on stdout.
+    #[arg(long, global = true)]
+    pub json: bool,
+    /// Seed of everything random.
+    #[arg(long, global = true, value_name = "N")]
+    seed: Option<u64>,
+    /// Threads to use; all cores by default.
+    #[arg(long, global = true, value_name = "N")]
+    pub threads: Option<std::num::NonZeroUsize>,
+    /// No progress bars, no remarks.
+    #[arg(long, short, global = true)]
+    pub quiet: bool,
+    /// Take warnings for errors.
+    #[arg(long, global = true)]
+    pub strict: bool,
+}
+
+impl Global {
+    /// The seed; 0 unless given.
+    pub fn seed(&self) -> u64 {
+        self.seed.unwrap_or(0)
+    }
+
+    /// A remark on stderr, unless quiet.
+    pub fn say(&self, remark: std::fmt::Arguments) {
+        if !self.quiet {
+            eprintln!("{remark}");
+        }
+    }
+
+    /// A warning on stderr, unless quiet; with `--strict` an error.
+    pub fn warn(&self, warning: std::fmt::Arguments) -> Result<()> {
+        if self.strict {
+            bail!("{warning} (a warning, but for --strict)");
+        }
+        self.say(format_args!("warning: {warning}"));
+        Ok(())
+    }
+
+    /// Warns of a material that reflects more light than it gets.
+    pub fn check_energy(&self, name: &str, albedo_max: f64) -> Result<()> {
+        if albedo_max > 1.0 {
+            self.warn(format_args!("{name}: albedo_max is {albedo_max:.3}: more light leaves than arrives"))?;
+        }
+        Ok(())
+    }
+}
+
+/// Warns of a material that reflects more light than it gets.
+fn warn_of_energy(global: &Global, material: &Material) -> Result<()> {
+    global.check_energy(&material.name, albedo_max(material.brdf.as_ref()))
+}

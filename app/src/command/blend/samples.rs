@@ -1,0 +1,140 @@
+//! Where on a path the spheres are.
+
+use anyhow::Result;
+use nbrdf_core::Weights;
+
+use crate::failure::Failure;
+
+/// Points between two ends unless told otherwise.
+const STEPS: u16 = 7;
+
+/// A point of a path, and its label.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Sample {
+    /// Barycentric weights.
+    pub weights: Weights,
+    /// `0.25` between two ends; weights in order between more.
+    pub label: String,
+}
+
+impl Sample {
+    fn new(weights: Vec<f32>) -> Result<Self> {
+        let weights = Weights::normalized(weights)?;
+        let label = match weights.as_slice() {
+            [_, t] => number(*t),
+            more => more.iter().map(|w| number(*w)).collect::<Vec<_>>().join(" : "),
+        };
+        Ok(Self { weights, label })
+    }
+
+    /// What stands above its column.
+    pub fn heading(&self) -> String {
+        if self.weights.as_slice().len() == 2 { format!("t = {}", self.label) } else { self.label.clone() }
+    }
+
+    /// Whether it lies beyond the ends.
+    pub fn is_beyond(&self) -> bool {
+        self.weights.as_slice().iter().any(|w| *w < 0.0)
+    }
+}
+
+/// Two decimals, no idle zeros.
+fn number(value: f32) -> String {
+    let text = format!("{value:.2}");
+    let text = text.trim_end_matches('0').trim_end_matches('.');
+    if text == "-0" { "0".into() } else { text.into() }
+}
+
+/// The points asked for: `at`, else `steps` even ones between two ends, else corners, edges and the centre.
+pub fn samples(ends: usize, at: &[String], steps: Option<u16>) -> Result<Vec<Sample>> {
+    let points = match (at, steps) {
+        ([], Some(_)) if ends > 2 => {
+            let what = "--steps walks between two materials: give --at W,W,W for more";
+            return Err(Failure::Usage(what.to_owned()).into());
+        }
+        ([], steps) if ends == 2 => even(steps.unwrap_or(STEPS)),
+        ([], _) => corners_edges_centre(ends),
+        (at, _) => given(ends, at)?,
+    };
+    points.into_iter().map(Sample::new).collect()
+}
+
+fn even(steps: u16) -> Vec<Vec<f32>> {
+    let last = f32::from(steps.max(2) - 1);
+    (0..steps).map(|i| f32::from(i) / last).map(|t| vec![1.0 - t, t]).collect()
+}
+
+/// Around the polygon, corner and edge by turns, then its centre.
+fn corners_edges_centre(ends: usize) -> Vec<Vec<f32>> {
+    let among = |chosen: &[usize]| (0..ends).map(|end| f32::from(u8::from(chosen.contains(&end)))).collect();
+    let around = (0..ends).flat_map(|end| [among(&[end]), among(&[end, (end + 1) % ends])]);
+    around.chain([vec![1.0; ends]]).collect()
+}
+
+/// `0.25` is a place between two ends; `1,1,2`, or one number per end, are weights.
+fn given(ends: usize, at: &[String]) -> Result<Vec<Vec<f32>>> {
+    let (mut points, mut loose) = (Vec::new(), Vec::new());
+    for text in at {
+        let numbers = text.split(',').map(finite).collect::<Result<Vec<f32>>>()?;
+        match numbers.as_slice() {
+            [t] if ends == 2 => points.push(vec![1.0 - t, *t]),
+            [weight] => loose.push(*weight),
+            weights if weights.len() == ends => points.push(numbers),
+            weights => {
+                let found = format!("--at {text}: expected {ends} weights, one per material, found {}", weights.len());
+                return Err(Failure::Usage(found).into());
+            }
+        }
+    }
+    if !loose.len().is_multiple_of(ends) {
+        let found = format!("--at: expected {ends} weights, one per material, found {}", loose.len());
+        return Err(Failure::Usage(found).into());
+    }
+    points.extend(loose.chunks(ends).map(<[f32]>::to_vec));
+    Ok(points)
+}
+
+fn finite(text: &str) -> Result<f32> {
+    let number = text.trim().parse().ok().filter(|number: &f32| number.is_finite());
+    number.ok_or_else(|| Failure::Usage(format!("--at {text}: expected a number such as 0.25")).into())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn labels(ends: usize, at: &[&str], steps: Option<u16>) -> Vec<String> {
+        let at: Vec<String> = at.iter().map(|text| (*text).to_owned()).collect();
+        samples(ends, &at, steps).unwrap().into_iter().map(|sample| sample.label).collect()
+    }
+
+    #[test]
+    fn two_ends_are_seven_steps_apart_unless_told_otherwise() {
+        assert_eq!(labels(2, &[], None), ["0", "0.17", "0.33", "0.5", "0.67", "0.83", "1"]);
+        assert_eq!(labels(2, &[], Some(3)), ["0", "0.5", "1"]);
+        assert_eq!(labels(2, &["-0.5", "0.25", "3,1"], None), ["-0.5", "0.25", "0.25"]);
+    }
+
+    #[test]
+    fn three_ends_show_corners_edges_and_the_centre() {
+        let shown = labels(3, &[], None);
+        assert_eq!(shown.len(), 7);
+        assert_eq!((shown[0].as_str(), shown[1].as_str()), ("1 : 0 : 0", "0.5 : 0.5 : 0"));
+        assert_eq!(labels(3, &["0.2", "0.3", "0.5"], None), labels(3, &["0.2,0.3,0.5"], None));
+    }
+
+    #[test]
+    fn points_that_make_no_sense_are_usage_errors() {
+        for (ends, at) in [(2, "x"), (2, "nan"), (2, "1,2,3"), (3, "0.5"), (3, "1,1"), (2, "1,-1")] {
+            let error = samples(ends, &[at.to_owned()], None).unwrap_err();
+            assert_eq!(crate::failure::exit_code(&error), 2, "{at}");
+        }
+        assert!(samples(3, &[], Some(5)).is_err());
+    }
+
+    #[test]
+    fn what_lies_beyond_the_ends_is_known() {
+        let beyond = |t: &str| samples(2, &[t.to_owned()], None).unwrap()[0].is_beyond();
+        assert!(beyond("-0.1") && beyond("1.5") && !beyond("0") && !beyond("1"));
+    }
+}

@@ -1,0 +1,164 @@
+//! `nbrdf compare`: how good the ways between materials are, over the standard pairs and the families.
+
+use std::collections::BTreeMap;
+use std::path::PathBuf;
+use std::sync::Arc;
+
+use anyhow::{Result, bail};
+use clap::Args;
+use nbrdf_core::metric::Spread;
+use nbrdf_core::{Database, Interpolation, Material};
+use rayon::prelude::*;
+use serde_json::{Map, Value, json};
+
+use super::Global;
+use crate::catalog::{Catalog, INTERPOLATIONS, Reference};
+use crate::failure::Failure;
+use crate::measure::families::{FAMILIES, FittedFamily};
+use crate::measure::higher_is_better;
+use crate::measure::path_quality::path_quality;
+use crate::report::table::Table;
+use crate::{progress, report};
+
+/// Distance of the second end in the sorted names.
+const OFFSET: usize = 37;
+
+/// Measures interpolations over the standard pairs: (i, i + 37) of the sorted MERL names.
+#[derive(Debug, Args)]
+pub struct Compare {
+    /// Methods to measure; all by default.
+    #[arg(long = "method", value_name = "M")]
+    methods: Vec<String>,
+    /// Materials to walk between; the published networks in NBRDF_DATA by default, else the built-in ones.
+    #[arg(long, value_name = "LIBRARY")]
+    reference: Option<PathBuf>,
+    /// Another ZNBRDF checkpoint than the built-in one.
+    #[arg(long, value_name = "CKPT")]
+    checkpoint: Option<PathBuf>,
+    /// Only the first N pairs.
+    #[arg(long, value_name = "N")]
+    pairs: Option<std::num::NonZeroUsize>,
+    /// Leave out the families of analytic materials.
+    #[arg(long)]
+    no_families: bool,
+}
+
+impl Compare {
+    /// Runs the command.
+    pub fn run(&self, global: &Global) -> Result<()> {
+        let reference = Arc::new(Reference::load(self.reference.as_deref())?);
+        let mut catalog = Catalog::new(Arc::clone(&reference));
+        if let Some(path) = &self.checkpoint {
+            catalog = catalog.with_checkpoint(path)?;
+        }
+        let names: Vec<&str> = match self.methods.as_slice() {
+            [] => INTERPOLATIONS.iter().map(|entry| entry.name).collect(),
+            chosen => chosen.iter().map(String::as_str).collect(),
+        };
+        let methods = names.iter().map(|name| catalog.interpolation(name)).collect::<Result<Vec<_>>>()?;
+        let pairs = self.pairs(&reference)?;
+        let families: Vec<FittedFamily> = match self.no_families {
+            true => Vec::new(),
+            false => FAMILIES.par_iter().map(|family| FittedFamily::fit(family, global.seed())).collect(),
+        };
+        let bar = progress::bar((pairs.len() * methods.len()) as u64, "comparing", global.quiet);
+        let mut rows = Vec::new();
+        for method in &methods {
+            bar.set_message(method.name());
+            let one = |ends: &[Material; 2]| {
+                if progress::cancelled() {
+                    bail!("cancelled");
+                }
+                let figures = path_quality(method.as_ref(), ends)?;
+                bar.inc(1);
+                Ok((format!("{} > {}", ends[0].name, ends[1].name), figures))
+            };
+            let measured = pairs.par_iter().map(one).collect::<Result<Vec<_>>>()?;
+            rows.push(row(method.as_ref(), &measured, &families)?);
+        }
+        bar.finish_and_clear();
+        let shown = rows.clone();
+        let out = json!({"schema": 1, "reference": reference.kind, "pairs": pairs.len(), "methods": rows});
+        report::print(global, &out, || text(&reference.kind, pairs.len(), &shown))
+    }
+
+    fn pairs(&self, reference: &Reference) -> Result<Vec<[Material; 2]>> {
+        let is_merl = |material: &&Material| Database::of(&material.name) == Database::Merl;
+        let mut merl: Vec<&Material> = reference.materials.iter().filter(is_merl).collect();
+        merl.sort_by(|a, b| a.name.cmp(&b.name));
+        if merl.len() < 2 || OFFSET.is_multiple_of(merl.len()) {
+            let found = merl.len();
+            return Err(Failure::InvalidFile(format!(
+                "reference '{}': expected MERL materials enough to pair each with another, found {found}",
+                reference.kind
+            ))
+            .into());
+        }
+        let pair = |i: usize| [merl[i].clone(), merl[(i + OFFSET) % merl.len()].clone()];
+        Ok((0..merl.len()).take(self.pairs.map_or(usize::MAX, std::num::NonZeroUsize::get)).map(pair).collect())
+    }
+}
+
+type Figures = BTreeMap<&'static str, f64>;
+
+fn row(method: &dyn Interpolation, measured: &[(String, Figures)], families: &[FittedFamily]) -> Result<Value> {
+    let mut row = Map::new();
+    row.insert("name".into(), method.name().into());
+    let keys: Vec<&str> = measured.first().map(|(_, figures)| figures.keys().copied().collect()).unwrap_or_default();
+    for key in keys {
+        let values = || measured.iter().map(|(name, figures)| (name.as_str(), figures[key]));
+        row.insert(key.into(), json!(Spread::new(values(), higher_is_better(key))));
+        if let Some(suffix) = key.strip_prefix("albedo_max") {
+            let violations = values().filter(|(_, albedo)| albedo.is_nan() || *albedo > 1.0).count();
+            row.insert(format!("energy_violations{suffix}"), violations.into());
+        }
+    }
+    for fitted in families {
+        let error = fitted.middle_error(method)?;
+        row.insert(
+            format!("family_{}", fitted.family.name),
+            json!({"lobe": "ggx", "middle": error.truth, "best": error.best}),
+        );
+    }
+    Ok(Value::Object(row))
+}
+
+/// The keys shown to people, and which part of their spread.
+const SHOWN: [(&str, &str, &str); 9] = [
+    ("end_error", "mean", "end_error"),
+    ("mix_psnr", "median", "mix PSNR dB"),
+    ("mix_psnr", "max", "worst"),
+    ("mix_ssim", "mean", "mix SSIM"),
+    ("length_ratio", "median", "length_ratio"),
+    ("step_ratio", "median", "step_ratio"),
+    ("hue_excursion", "max", "hue, worst"),
+    ("energy_violations", "", "energy > 1"),
+    ("energy_violations_beyond", "", "beyond"),
+];
+
+fn text(reference: &str, pairs: usize, rows: &[Value]) -> String {
+    let mut head = vec!["method".to_owned()];
+    head.extend(SHOWN.iter().map(|(_, part, title)| match *part {
+        "" | "max" => (*title).to_owned(),
+        part => format!("{title} ({part})"),
+    }));
+    let families: Vec<&str> = FAMILIES.iter().map(|family| family.name).collect();
+    let with_families = rows.first().is_some_and(|row| !row["family_roughness"].is_null());
+    if with_families {
+        head.extend(families.iter().map(|name| format!("{name} middle")));
+    }
+    let mut table = Table::new(head);
+    for row in rows {
+        let mut cells = vec![row["name"].as_str().unwrap_or_default().to_owned()];
+        cells.extend(SHOWN.iter().map(|(key, part, _)| match *part {
+            "" => row[*key].to_string(),
+            part => report::figure(row[*key][part].as_f64().unwrap_or(f64::NAN)),
+        }));
+        if with_families {
+            let middle = |name: &&str| row[format!("family_{name}")]["middle"].as_f64().unwrap_or(f64::NAN);
+            cells.extend(families.iter().map(|name| report::figure(middle(name))));
+        }
+        table.push(cells);
+    }
+    format!("{pairs} pairs of MERL materials, light: studio, reference: {reference}\n\n{table}")
+}

@@ -1,0 +1,53 @@
+//! `nbrdf encode`: a material as a few numbers.
+
+use std::path::PathBuf;
+
+use anyhow::{Context, Result};
+use clap::Args;
+use nbrdf_core::{Code, atomic};
+
+use super::Global;
+use crate::material::Sources;
+use crate::{output, report};
+
+/// Turns a material into a code, written as JSON.
+#[derive(Debug, Args)]
+pub struct Encode {
+    /// Name of a material, or the file of a network.
+    #[arg(value_name = "MATERIAL|FILE")]
+    material: String,
+    /// Refine the code against the material itself: closer, and a second or so slower.
+    #[arg(long)]
+    refine: bool,
+    /// Representation that makes the code.
+    #[arg(long = "with", value_name = "NAME", default_value = "znbrdf")]
+    representation: String,
+    #[command(flatten)]
+    sources: Sources,
+    /// File of the code; standard output by default.
+    #[arg(short, long, value_name = "CODE")]
+    output: Option<PathBuf>,
+}
+
+impl Encode {
+    /// Runs the command.
+    pub fn run(&self, global: &Global) -> Result<()> {
+        let output = self.output.as_deref().filter(|path| path.as_os_str() != "-");
+        if let Some(path) = output {
+            output::check_writable(path)?;
+        }
+        let shelf = self.sources.open()?;
+        let item = shelf.material(&self.material)?;
+        let representation = shelf.catalog.representation(&self.representation, self.refine)?;
+        let code = representation.encode(&item.material)?;
+        let code = Code { material: Some(item.material.name), ..code };
+        let json = serde_json::to_string(&code)? + "\n";
+        if let Some(path) = output {
+            atomic::write(path, json.as_bytes()).with_context(|| format!("{}: cannot be written", path.display()))?;
+        }
+        match output.is_none() || global.json {
+            true => report::write(&json),
+            false => Ok(()),
+        }
+    }
+}

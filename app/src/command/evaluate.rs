@@ -1,0 +1,158 @@
+//! `nbrdf evaluate`: how close decoded held-out materials come to themselves.
+
+use std::collections::BTreeMap;
+use std::path::PathBuf;
+use std::sync::Arc;
+use std::time::Instant;
+
+use anyhow::{Result, bail};
+use clap::Args;
+use nbrdf_core::metric::Spread;
+use nbrdf_core::{Code, Database, Material, Split};
+use rayon::prelude::*;
+use serde_json::{Map, Value, json};
+
+use super::Global;
+use crate::catalog::{Catalog, REPRESENTATIONS, Reference, RepresentationEntry};
+use crate::measure::{Target, higher_is_better};
+use crate::report::table::Table;
+use crate::{progress, report};
+
+/// Measures representations on held-out materials: encode, decode, compare with the reference.
+#[derive(Debug, Args)]
+pub struct Evaluate {
+    /// Representations to measure; all by default.
+    #[arg(long = "with", value_name = "NAME")]
+    with: Vec<String>,
+    /// Materials to measure against; the published networks in NBRDF_DATA by default, else the built-in ones.
+    #[arg(long, value_name = "LIBRARY")]
+    reference: Option<PathBuf>,
+    /// Another ZNBRDF checkpoint than the built-in one.
+    #[arg(long, value_name = "CKPT")]
+    checkpoint: Option<PathBuf>,
+    /// Report every material, with its code.
+    #[arg(long)]
+    per_material: bool,
+    /// Measure the validation materials instead: for choosing among checkpoints trained with --validate (the PCA
+    /// bases have seen these materials).
+    #[arg(long)]
+    validate: bool,
+}
+
+struct Measured {
+    name: String,
+    code: Vec<f32>,
+    figures: BTreeMap<String, f64>,
+}
+
+impl Evaluate {
+    /// Runs the command.
+    pub fn run(&self, global: &Global) -> Result<()> {
+        let reference = Arc::new(Reference::load(self.reference.as_deref())?);
+        let mut catalog = Catalog::new(Arc::clone(&reference));
+        if let Some(path) = &self.checkpoint {
+            catalog = catalog.with_checkpoint(path)?;
+        }
+        for name in &self.with {
+            catalog.representation(name, false)?;
+        }
+        let split = if self.validate { Split::Validation } else { Split::HeldOut };
+        let chosen = |entry: &&RepresentationEntry| self.with.is_empty() || self.with.iter().any(|n| n == entry.name);
+        let entries: Vec<_> = REPRESENTATIONS.iter().filter(chosen).collect();
+        let sets: Vec<_> = [Database::Merl, Database::Rgl]
+            .into_iter()
+            .map(|database| (database, reference.of(database, split)))
+            .filter(|(_, materials)| !materials.is_empty())
+            .collect();
+        if sets.is_empty() {
+            bail!("the reference '{}' holds no material to measure on", reference.kind);
+        }
+        let total: usize = sets.iter().map(|(_, materials)| materials.len()).sum();
+        let bar = progress::bar((total * entries.len()) as u64, "evaluating", global.quiet);
+        let mut rows = Vec::new();
+        for (database, materials) in &sets {
+            let targets: Vec<Target> = materials.par_iter().map(|m| Target::new(m.brdf.as_ref())).collect();
+            for entry in &entries {
+                let representation = entry.build(&catalog)?;
+                // One after the other: side by side, their times would tell of each other.
+                let encode = |material: &&Material| {
+                    if progress::cancelled() {
+                        bail!("cancelled");
+                    }
+                    let start = Instant::now();
+                    let code = representation.encode(material)?;
+                    bar.inc(1);
+                    Ok((code, start.elapsed().as_secs_f64()))
+                };
+                let codes = materials.iter().map(encode).collect::<Result<Vec<_>>>()?;
+                let one = |((material, target), (code, encode_s)): ((&&Material, &Target), &(Code, f64))| {
+                    let mut figures = target.figures(representation.decode(code)?.as_ref());
+                    figures.insert("encode_s".to_owned(), *encode_s);
+                    Ok(Measured { name: material.name.clone(), code: code.code.clone(), figures })
+                };
+                let measured = materials.par_iter().zip(&targets).zip(&codes).map(one).collect::<Result<Vec<_>>>()?;
+                rows.push(self.row(entry, *database, representation.dim(), &measured));
+            }
+        }
+        bar.finish_and_clear();
+        let rows_text = rows.clone();
+        let out = json!({
+            "schema": 1, "reference": reference.kind, "split": split, "rows": rows,
+            "note": "reference values come from networks, not from measured tables",
+        });
+        report::print(global, &out, || text(&reference.kind, split, &rows_text))
+    }
+
+    fn row(&self, entry: &RepresentationEntry, database: Database, dim: usize, measured: &[Measured]) -> Value {
+        let mut row = Map::new();
+        row.insert("name".into(), entry.name.into());
+        row.insert("variant".into(), entry.variant.name().into());
+        row.insert("database".into(), json!(database));
+        row.insert("count".into(), measured.len().into());
+        row.insert("bytes".into(), (4 * dim).into());
+        let keys: Vec<&String> = measured.first().map(|first| first.figures.keys().collect()).unwrap_or_default();
+        for key in keys {
+            let values = measured.iter().map(|m| (m.name.as_str(), m.figures[key]));
+            row.insert(key.clone(), json!(Spread::new(values, higher_is_better(key))));
+        }
+        if self.per_material {
+            let material = |m: &Measured| {
+                let mut object = json!(m.figures);
+                object["name"] = m.name.as_str().into();
+                object["code"] = json!(m.code);
+                object
+            };
+            row.insert("materials".into(), measured.iter().map(material).collect());
+        }
+        Value::Object(row)
+    }
+}
+
+/// The keys shown to people; the JSON holds all.
+const SHOWN: [(&str, &str); 8] = [
+    ("log_error", "log_error"),
+    ("relative_log", "relative_log"),
+    ("point_psnr", "point PSNR dB"),
+    ("studio_psnr", "studio PSNR dB"),
+    ("studio_ssim", "studio SSIM"),
+    ("studio_flip", "studio FLIP"),
+    ("studio_delta_e_itp", "studio dE_ITP"),
+    ("encode_s", "encode s"),
+];
+
+fn text(reference: &str, split: Split, rows: &[Value]) -> String {
+    let of = if split == Split::HeldOut { "held-out" } else { "validation" };
+    let mut head = vec!["representation".to_owned(), "database".to_owned()];
+    head.extend(SHOWN.iter().map(|(_, title)| (*title).to_owned()));
+    let mut table = Table::new(head);
+    for row in rows {
+        let word = |key: &str| row[key].as_str().unwrap_or_default().to_owned();
+        let mut cells = vec![format!("{} {}", word("name"), word("variant")), word("database")];
+        cells.extend(SHOWN.iter().map(|(key, _)| {
+            let number = |part: &str| row[*key][part].as_f64().unwrap_or(f64::NAN);
+            format!("{} ({})", report::figure(number("mean")), report::figure(number("max")))
+        }));
+        table.push(cells);
+    }
+    format!("Mean (worst) over {of} materials, reference: {reference}\n\n{table}")
+}

@@ -1,0 +1,105 @@
+//! `nbrdf info`: what is known about one material.
+
+use anyhow::Result;
+use clap::Args;
+use nbrdf_core::metric::{ImageMetric, Metric, Physics, Rendered, directional_albedo, log_error};
+use nbrdf_core::sampling::{evaluate, rus32k};
+use nbrdf_core::{Database, Material, Representation};
+use serde_json::{Value, json};
+
+use super::Global;
+use crate::material::{Item, Sources};
+use crate::report;
+
+/// Viewing angles at which albedo is told \[degrees\].
+const ANGLES: [u16; 5] = [0, 30, 60, 75, 85];
+
+/// Tells albedo, energy, reciprocity, size, and how well the model knows a material.
+#[derive(Debug, Args)]
+pub struct Info {
+    /// Name of a material, the file of a network, or a code (`-` for standard input).
+    #[arg(value_name = "MATERIAL|FILE|CODE")]
+    material: String,
+    #[command(flatten)]
+    sources: Sources,
+}
+
+/// How far a material is from its own code, decoded.
+struct Known {
+    checkpoint: String,
+    log_error: f64,
+    studio_psnr: f64,
+}
+
+impl Info {
+    /// Runs the command.
+    pub fn run(&self, global: &Global) -> Result<()> {
+        let shelf = self.sources.open()?;
+        let item = shelf.material_or_code(&self.material)?;
+        let physics = Physics::of(item.material.brdf.as_ref());
+        let znbrdf = shelf.catalog.representation("znbrdf", false)?;
+        let known = Known::of(&item.material, znbrdf.as_ref())?;
+        let albedo: Vec<_> = ANGLES.map(|angle| (angle, albedo(&item.material, angle))).to_vec();
+        let summary = json!({
+            "schema": 1, "name": item.material.name, "database": Database::of(&item.material.name),
+            "split": item.split(), "held_out": item.split() == Some(nbrdf_core::Split::HeldOut),
+            "hidden": item.material.network.as_ref().map(nbrdf_core::Nbrdf::hidden),
+            "bytes": bytes(&item, znbrdf.dim()),
+            "albedo": albedo.iter().map(|(angle, rgb)| json!({"degrees": angle, "rgb": rgb})).collect::<Vec<_>>(),
+            "albedo_max": physics.albedo_max, "negative_share": physics.negative_share,
+            "reciprocity": physics.reciprocity,
+            "znbrdf": {
+                "checkpoint": known.checkpoint, "log_error": known.log_error, "studio_psnr": known.studio_psnr,
+            },
+        });
+        global.check_energy(&item.material.name, physics.albedo_max)?;
+        report::print(global, &summary, || text(&item, &physics, &albedo, &known, znbrdf.dim()))
+    }
+}
+
+impl Known {
+    fn of(material: &Material, model: &dyn Representation) -> Result<Self> {
+        let decoded = model.decode(&model.encode(material)?)?;
+        let values = |brdf| evaluate(brdf, rus32k());
+        let log_error = log_error(rus32k(), &values(material.brdf.as_ref()), &values(decoded.as_ref()));
+        let studio_psnr = Rendered::studio(ImageMetric::Psnr).distance(material.brdf.as_ref(), decoded.as_ref());
+        Ok(Self { checkpoint: model.checkpoint().to_owned(), log_error, studio_psnr })
+    }
+}
+
+fn albedo(material: &Material, degrees: u16) -> [f32; 3] {
+    directional_albedo(material.brdf.as_ref(), f32::from(degrees).to_radians()).0
+}
+
+/// Size of each form as f32; what is shared by all materials is not counted.
+fn bytes(item: &Item, dim: usize) -> Value {
+    let weights = item.material.network.as_ref().map(|network| size_of_val(network.weights()));
+    json!({ "weights": weights, "code": 4 * item.code.as_ref().map_or(dim, |code| code.code.len()) })
+}
+
+fn text(item: &Item, physics: &Physics, albedo: &[(u16, [f32; 3])], known: &Known, dim: usize) -> String {
+    let mut lines = vec![item.material.name.clone()];
+    let mut line = |key: &str, value: String| lines.push(format!("  {key:16}{value}"));
+    let split = match item.split() {
+        Some(split) if split.is_training() => ", seen in training",
+        Some(_) => ", held out",
+        None => "",
+    };
+    line("database", format!("{}{split}", Database::of(&item.material.name)));
+    if let Some(network) = &item.material.network {
+        let [first, second] = network.hidden();
+        let (count, bytes) = (network.weights().len(), size_of_val(network.weights()));
+        line("network", format!("6-{first}-{second}-3, {count} weights, {bytes} bytes"));
+    }
+    let (model, numbers) = item.code.as_ref().map_or(("znbrdf", dim), |code| (&code.model, code.code.len()));
+    line("code", format!("{model}, {numbers} numbers, {} bytes", 4 * numbers));
+    for (angle, [r, g, b]) in albedo {
+        line(&format!("albedo at {angle}°"), format!("{r:.3}  {g:.3}  {b:.3}"));
+    }
+    let verdict = if physics.albedo_max > 1.0 { "more light leaves than arrives" } else { "keeps energy" };
+    line("albedo_max", format!("{:.3}  {verdict}", physics.albedo_max));
+    line("reciprocity", format!("{:.4}  0 is reciprocal", physics.reciprocity));
+    line("negative_share", format!("{:.4}  below 0 before the clamp", physics.negative_share));
+    line("after its code", format!("log_error {:.4}, studio_psnr {:.1} dB", known.log_error, known.studio_psnr));
+    lines.join("\n") + "\n"
+}

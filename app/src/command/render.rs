@@ -1,0 +1,77 @@
+//! `nbrdf render`: a sphere of a material.
+
+use std::path::PathBuf;
+
+use anyhow::Result;
+use clap::{Args, ValueEnum};
+use nbrdf_core::render::{Light, Sphere};
+use serde_json::json;
+
+use super::{Global, warn_of_energy};
+use crate::material::Sources;
+use crate::{output, report};
+
+/// Renders a sphere of a material: .png as a display shows it, .exr with the linear values.
+#[derive(Debug, Args)]
+pub struct Render {
+    /// Name of a material, the file of a network, or a code (`-` for standard input).
+    #[arg(value_name = "MATERIAL|FILE|CODE")]
+    material: String,
+    /// Picture to write: .png or .exr.
+    #[arg(short, long, value_name = "PICTURE")]
+    output: PathBuf,
+    /// Lights around the sphere.
+    #[arg(long, value_enum, default_value_t = LightName::Studio)]
+    light: LightName,
+    /// Pixels per side, 1 to 4096.
+    #[arg(long, value_name = "N", default_value_t = 512, value_parser = clap::value_parser!(u16).range(1..=4096))]
+    size: u16,
+    /// Brighter by this many stops; negative is darker.
+    #[arg(long, value_name = "STOPS", default_value_t = 0.0, allow_negative_numbers = true, value_parser = stops)]
+    exposure: f32,
+    #[command(flatten)]
+    sources: Sources,
+}
+
+/// The standard lights.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum LightName {
+    /// One lamp at 45°.
+    Point,
+    /// Three keys and a ring of fills.
+    Studio,
+}
+
+impl LightName {
+    /// The light itself.
+    pub fn light(self) -> Light {
+        match self {
+            Self::Point => Light::point(),
+            Self::Studio => Light::studio(),
+        }
+    }
+}
+
+/// Exposure in stops, within what a picture can show.
+pub fn stops(text: &str) -> Result<f32, String> {
+    let stops: f32 = text.parse().map_err(|_| "expected a number of stops".to_owned())?;
+    if (-20.0..=20.0).contains(&stops) { Ok(stops) } else { Err("expected -20 to 20 stops".to_owned()) }
+}
+
+impl Render {
+    /// Runs the command.
+    pub fn run(&self, global: &Global) -> Result<()> {
+        output::check(&self.output, &output::PICTURES)?;
+        let item = self.sources.open()?.material_or_code(&self.material)?;
+        warn_of_energy(global, &item.material)?;
+        let light = self.light.light();
+        let gain = self.exposure.exp2();
+        let picture = Sphere::new(self.size.into(), &light).render(item.material.brdf.as_ref());
+        output::write_picture(&self.output, &picture.map(|pixel| pixel * gain))?;
+        let summary = json!({
+            "schema": 1, "material": item.material.name, "light": light.name, "size": self.size,
+            "exposure": self.exposure, "output": self.output.display().to_string(),
+        });
+        report::print(global, &summary, || format!("{} in {}\n", item.material.name, self.output.display()))
+    }
+}

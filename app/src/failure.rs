@@ -1,0 +1,65 @@
+//! How a command fails, and with which exit code.
+
+use autoencoder::{CheckpointError, TrainError};
+use nbrdf_core::library::refit::RefitError;
+use nbrdf_core::library::{LibraryError, UnknownMaterial};
+use nbrdf_core::nbrdf::file::ReadError;
+use nbrdf_core::path::{PathError, WeightsError};
+use nbrdf_core::representation::pca::PcaError;
+use nbrdf_core::representation::{DecodeError, EncodeError};
+
+/// A failure that is the user's to mend, with the exit code that says which kind it is.
+#[derive(Debug, thiserror::Error)]
+pub enum Failure {
+    /// A name or value on the command line makes no sense: exit code 2.
+    #[error("{0}")]
+    Usage(String),
+    /// A file is not what it should be: exit code 3.
+    #[error("{0}")]
+    InvalidFile(String),
+}
+
+/// Exit code of an error: 2 usage, 3 invalid file, 1 anything else.
+pub fn exit_code(error: &anyhow::Error) -> u8 {
+    for cause in error.chain() {
+        if let Some(failure) = cause.downcast_ref::<Failure>() {
+            return match failure {
+                Failure::Usage(_) => 2,
+                Failure::InvalidFile(_) => 3,
+            };
+        }
+        let usage = cause.is::<UnknownMaterial>() || cause.is::<WeightsError>();
+        let invalid = cause.is::<LibraryError>()
+            || cause.is::<ReadError>()
+            || cause.is::<DecodeError>()
+            || cause.is::<EncodeError>()
+            || cause.is::<PathError>()
+            || cause.is::<PcaError>()
+            || cause.downcast_ref().is_some_and(invalid_checkpoint)
+            || matches!(cause.downcast_ref(), Some(RefitError::NothingToLearnFrom { .. } | RefitError::Library(_)))
+            || cause.downcast_ref().is_some_and(invalid_training);
+        if usage {
+            return 2;
+        }
+        if invalid {
+            return 3;
+        }
+    }
+    1
+}
+
+fn invalid_checkpoint(error: &CheckpointError) -> bool {
+    match error {
+        CheckpointError::Invalid { .. } => true,
+        CheckpointError::Io { source, .. } => source.kind() == std::io::ErrorKind::NotFound,
+        CheckpointError::Tensor(_) => false,
+    }
+}
+
+fn invalid_training(error: &TrainError) -> bool {
+    match error {
+        TrainError::OtherRun { .. } | TrainError::TooFew { .. } => true,
+        TrainError::Checkpoint(error) => invalid_checkpoint(error),
+        _ => false,
+    }
+}

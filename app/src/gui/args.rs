@@ -1,0 +1,118 @@
+//! `nbrdf app`: how the window opens.
+
+use std::path::PathBuf;
+
+use anyhow::{Result, anyhow};
+use clap::{Args, ValueEnum};
+use nbrdf_core::library::builtin;
+
+use super::{Session, window};
+
+/// The desktop app: walk between two materials and watch.
+#[derive(Debug, Clone, Default, Args)]
+pub struct App {
+    /// Libraries, archives or networks to show beside the built-in materials.
+    pub files: Vec<PathBuf>,
+    /// Material at t = 0.
+    #[arg(long, short, value_name = "MATERIAL")]
+    pub a: Option<String>,
+    /// Material at t = 1.
+    #[arg(long, short, value_name = "MATERIAL")]
+    pub b: Option<String>,
+    /// Where on the path to start, 0..1.
+    #[arg(long, value_name = "T")]
+    pub t: Option<f32>,
+    /// Colours of the window; those of the system by default.
+    #[arg(long, value_enum)]
+    pub theme: Option<Theme>,
+    /// Size of the window, such as 1600x900.
+    #[arg(long, value_parser = size, value_name = "WxH")]
+    pub size: Option<[u16; 2]>,
+    /// Write a picture of the window once everything is shown, and leave.
+    #[arg(long, value_name = "FILE", hide = true)]
+    pub screenshot: Option<PathBuf>,
+}
+
+/// Colours of the window.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum Theme {
+    /// Light text on dark.
+    Dark,
+    /// Dark text on light.
+    Light,
+}
+
+impl App {
+    /// Opens the window; returns when it is closed.
+    ///
+    /// # Errors
+    /// If a material is unknown, or there is no display to open a window on.
+    pub fn run(&self) -> Result<()> {
+        let session = self.session()?;
+        if !has_display() {
+            return Err(no_display("neither DISPLAY nor WAYLAND_DISPLAY is set"));
+        }
+        window::open(self.clone(), session).map_err(|error| no_display(&reason(&error)))
+    }
+
+    fn session(&self) -> Result<Session> {
+        let mut session = Session::default();
+        for (end, name) in session.ends.iter_mut().zip([&self.a, &self.b]) {
+            if let Some(name) = name {
+                *end = builtin::shared().get(name)?.name.clone();
+            }
+        }
+        session.t = self.t.unwrap_or(session.t).clamp(0.0, 1.0);
+        session.theme = match self.theme {
+            Some(Theme::Dark) => egui::ThemePreference::Dark,
+            Some(Theme::Light) => egui::ThemePreference::Light,
+            None => egui::ThemePreference::System,
+        };
+        Ok(session)
+    }
+}
+
+/// What the window system said, without the place in the source that it said it from.
+fn reason(error: &dyn std::error::Error) -> String {
+    let text = error.to_string();
+    text.rsplit(".rs:")
+        .next()
+        .unwrap_or_default()
+        .trim_start_matches(|c: char| c.is_ascii_digit() || c == ':')
+        .trim()
+        .to_owned()
+}
+
+fn has_display() -> bool {
+    let is_set = |name| std::env::var_os(name).is_some_and(|value| !value.is_empty());
+    !cfg!(all(unix, not(target_os = "macos"))) || is_set("DISPLAY") || is_set("WAYLAND_DISPLAY")
+}
+
+fn no_display(why: &str) -> anyhow::Error {
+    anyhow!(
+        "there is no display to open a window on ({why}); \
+         without one, try `nbrdf blend aluminium blue-fabric -o strip.png`"
+    )
+}
+
+fn size(text: &str) -> Result<[u16; 2], String> {
+    let parsed = text.split_once('x').and_then(|(width, height)| Some([width.parse().ok()?, height.parse().ok()?]));
+    parsed.filter(|size| size.iter().all(|&side| side >= 200)).ok_or_else(|| "expected such as 1600x900".to_owned())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn sizes_are_width_x_height() {
+        assert_eq!(size("1600x900"), Ok([1600, 900]));
+        assert!(size("1600").is_err() && size("10x900").is_err());
+    }
+
+    #[test]
+    fn an_unknown_material_is_refused_before_a_window_opens() {
+        let app = App { a: Some("crome".to_owned()), ..App::default() };
+        assert!(app.session().unwrap_err().to_string().contains("did you mean `chrome`"));
+    }
+}

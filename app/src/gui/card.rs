@@ -1,0 +1,179 @@
+//! One sphere with its name and its figures.
+
+use egui::{
+    Align, Color32, CursorIcon, Layout, Pos2, Rect, Response, RichText, Sense, Spinner, Stroke, StrokeKind, Ui,
+    UiBuilder, Vec2, WidgetInfo, pos2, vec2,
+};
+
+use super::gallery::{State, View};
+use super::{End, Session, look};
+use crate::catalog::Catalog;
+use crate::worker::{Card, Figures};
+
+const MARGIN: f32 = 10.0;
+const TITLE: f32 = 24.0;
+const LINE: f32 = 18.0;
+
+/// One card.
+pub struct CardPanel<'a> {
+    pub session: &'a mut Session,
+    pub view: Option<&'a View>,
+    pub card: Card,
+    pub side: f32,
+}
+
+/// Size of a card whose sphere is `side` wide.
+pub fn size(side: f32) -> Vec2 {
+    vec2(side + 2.0 * MARGIN, side + TITLE + 4.0 * LINE + 2.0 * MARGIN + 8.0)
+}
+
+impl CardPanel<'_> {
+    pub fn show(mut self, ui: &mut Ui, rect: Rect) {
+        let (painter, visuals) = (ui.painter(), ui.visuals());
+        painter.rect(rect, look::ROUND, look::card_fill(visuals), look::card_stroke(visuals), StrokeKind::Inside);
+        let builder = UiBuilder::new().id_salt(("card", self.card)).max_rect(rect.shrink(MARGIN));
+        let ui = &mut ui.new_child(builder.layout(Layout::top_down(Align::Min)));
+        ui.shrink_clip_rect(rect);
+        ui.spacing_mut().item_spacing = Vec2::ZERO;
+        self.title(ui);
+        self.sphere(ui);
+        ui.add_space(8.0);
+        figures(ui, self.card, self.view.and_then(|view| view.figures));
+    }
+
+    fn title(&self, ui: &mut Ui) {
+        let (name, about) = match self.card {
+            Card::A => (self.session.ends[0].as_str(), "The material at t = 0, as it is"),
+            Card::B => (self.session.ends[1].as_str(), "The material at t = 1, as it is"),
+            Card::Method(name) => {
+                Catalog::interpolation_entry(name).map_or((name, ""), |entry| (entry.title, entry.about))
+            }
+        };
+        let end = match self.card {
+            Card::A => Some(End::A),
+            Card::B => Some(End::B),
+            Card::Method(_) => None,
+        };
+        let line = Layout::left_to_right(Align::Min);
+        ui.allocate_ui_with_layout(vec2(ui.available_width(), TITLE), line, |ui| {
+            ui.set_min_height(TITLE);
+            if let Some(end) = end {
+                let (rect, _) = ui.allocate_exact_size(vec2(24.0, 18.0), Sense::hover());
+                look::badge(ui.painter(), rect.left_center() + vec2(9.0, 0.0), end, true, ui.visuals());
+            }
+            let name = name.strip_prefix("rgl/").unwrap_or(name);
+            ui.add(egui::Label::new(RichText::new(name).strong().size(14.0)).truncate()).on_hover_text(about);
+        });
+    }
+
+    fn sphere(&mut self, ui: &mut Ui) {
+        let (rect, sphere) = ui.allocate_exact_size(Vec2::splat(self.side), Sense::drag());
+        let name = match self.card {
+            Card::A => "A",
+            Card::Method(name) => name,
+            Card::B => "B",
+        };
+        let state = self.view.map_or(&State::Pending, |view| &view.state);
+        sphere.widget_info(|| {
+            let state = match state {
+                State::Pending => "pending",
+                State::Shown => "shown",
+                State::Failed(_) => "failed",
+            };
+            WidgetInfo::labeled(egui::Role::Image, true, format!("Sphere {name}: {state}"))
+        });
+        self.light(ui, rect, &sphere);
+        let texture = self.view.and_then(|view| view.texture.as_ref());
+        if let Some(texture) = texture.filter(|_| !matches!(state, State::Failed(_))) {
+            let whole = Rect::from_min_max(pos2(0.0, 0.0), pos2(1.0, 1.0));
+            let tint = if *state == State::Shown { Color32::WHITE } else { Color32::from_white_alpha(50) };
+            ui.painter().image(texture.id(), rect, whole, tint);
+        } else {
+            let quiet = ui.visuals().weak_text_color().gamma_multiply(0.12);
+            ui.painter().circle_filled(rect.center(), 0.495 * self.side, quiet);
+        }
+        match state {
+            State::Pending => wait(ui, rect),
+            State::Failed(why) => refuse(ui, rect, why),
+            State::Shown => self.mark(ui, rect, &sphere),
+        }
+        sphere.on_hover_cursor(CursorIcon::Crosshair).on_hover_text("Drag to move the light");
+    }
+
+    /// Dragging moves the lamp so that its reflection stays under the pointer.
+    fn light(&mut self, ui: &Ui, rect: Rect, sphere: &Response) {
+        if sphere.dragged()
+            && let Some(pointer) = sphere.interact_pointer_pos()
+        {
+            let from_middle = (pointer - rect.center()) / (rect.width() / 2.0);
+            self.session.point_at(from_middle.x, -from_middle.y);
+            ui.ctx().set_cursor_icon(CursorIcon::Crosshair);
+        }
+    }
+
+    fn mark(&self, ui: &Ui, rect: Rect, sphere: &Response) {
+        let Some([x, y]) = self.session.highlight().filter(|_| sphere.hovered() || sphere.dragged()) else { return };
+        let at: Pos2 = rect.center() + vec2(x, -y) * (rect.width() / 2.0);
+        ui.painter().circle_stroke(at, 8.0, Stroke::new(3.0, Color32::from_black_alpha(120)));
+        ui.painter().circle_stroke(at, 8.0, Stroke::new(1.5, Color32::WHITE));
+    }
+}
+
+fn wait(ui: &mut Ui, rect: Rect) {
+    let middle = Rect::from_center_size(rect.center() - vec2(0.0, 8.0), Vec2::splat(22.0));
+    ui.put(middle, Spinner::new().size(22.0));
+    let below = Rect::from_center_size(rect.center() + vec2(0.0, 16.0), vec2(rect.width() - 8.0, 18.0));
+    ui.put(below, egui::Label::new(RichText::new("preparing the path").small().weak()).truncate());
+}
+
+fn refuse(ui: &mut Ui, rect: Rect, why: &str) {
+    let middle = Rect::from_center_size(rect.center(), vec2(0.75 * rect.width(), 18.0));
+    let text = RichText::new("not available").small().color(ui.visuals().warn_fg_color);
+    ui.put(middle, egui::Label::new(text).truncate()).on_hover_text(why);
+}
+
+fn figures(ui: &mut Ui, card: Card, figures: Option<Figures>) {
+    let shown = |value: Option<f64>, digits: usize| value.map_or("–".to_owned(), |v| format!("{v:.digits$}"));
+    let psnr = match figures {
+        Some(Figures { psnr, .. }) if psnr >= 100.0 => "exact".to_owned(),
+        Some(Figures { psnr, .. }) => format!("{psnr:.1} dB"),
+        None => "–".to_owned(),
+    };
+    let seen = "as seen: under this light, at this exposure";
+    line(
+        ui,
+        "PSNR",
+        &psnr,
+        &format!("Against the exact linear mix of the ends, in decibels, {seen}. Higher is closer."),
+    );
+    line(
+        ui,
+        "ΔE to mix",
+        &shown(figures.map(|f| f.to_mix), 1),
+        &format!("Mean ΔE_ITP to the exact linear mix of the ends, {seen}. One unit is just noticeable."),
+    );
+    let (label, distance) = match (card, figures) {
+        (Card::A, _) => ("ΔE to B", figures.map(|f| f.to_ends[1])),
+        (Card::B, _) => ("ΔE to A", figures.map(|f| f.to_ends[0])),
+        (_, Some(f)) if f.to_ends[1] < f.to_ends[0] => ("ΔE to B", Some(f.to_ends[1])),
+        _ => ("ΔE to A", figures.map(|f| f.to_ends[0])),
+    };
+    line(ui, label, &shown(distance, 1), "Mean ΔE_ITP to the other end; of a path, to the nearest one.");
+    let hue = figures.map(|f| f.hue).filter(|_| matches!(card, Card::Method(_)));
+    line(
+        ui,
+        "Hue detour",
+        &shown(hue, 3),
+        "How far the mean colour leaves the straight line between the ends, in u′v′.",
+    );
+}
+
+fn line(ui: &mut Ui, label: &str, value: &str, about: &str) {
+    let line = Layout::left_to_right(Align::Center);
+    let shown = ui.allocate_ui_with_layout(vec2(ui.available_width(), LINE), line, |ui| {
+        ui.set_min_height(LINE);
+        ui.label(RichText::new(label).size(12.0).weak());
+        ui.with_layout(Layout::right_to_left(Align::Center), |ui| ui.label(RichText::new(value).size(12.5)));
+    });
+    shown.response.on_hover_text(about);
+}

@@ -1,0 +1,101 @@
+//! Colours and measures, dark and light.
+
+use egui::{
+    Align2, Color32, Context, CornerRadius, FontFamily, FontId, Painter, Pos2, Stroke, TextStyle, Theme, Visuals,
+};
+
+use super::End;
+
+/// Radius of cards and rows.
+pub const ROUND: u8 = 8;
+
+/// The colour of an end.
+pub fn accent(end: End, visuals: &Visuals) -> Color32 {
+    match (end, visuals.dark_mode) {
+        (End::A, true) => Color32::from_rgb(240, 170, 80),
+        (End::A, false) => Color32::from_rgb(190, 105, 10),
+        (End::B, true) => Color32::from_rgb(105, 170, 250),
+        (End::B, false) => Color32::from_rgb(30, 100, 205),
+    }
+}
+
+/// Text on an accent.
+pub fn on_accent(visuals: &Visuals) -> Color32 {
+    if visuals.dark_mode { Color32::from_gray(20) } else { Color32::WHITE }
+}
+
+/// Behind a sphere.
+pub fn card_fill(visuals: &Visuals) -> Color32 {
+    if visuals.dark_mode { Color32::from_rgb(35, 36, 40) } else { Color32::WHITE }
+}
+
+/// Around a card.
+pub fn card_stroke(visuals: &Visuals) -> Stroke {
+    let colour = if visuals.dark_mode { Color32::from_rgb(50, 51, 56) } else { Color32::from_gray(216) };
+    Stroke::new(1.0, colour)
+}
+
+/// A disc with the end's letter.
+pub fn badge(painter: &Painter, centre: Pos2, end: End, is_chosen: bool, visuals: &Visuals) {
+    let (radius, colour) = (9.0, accent(end, visuals));
+    let text = if is_chosen {
+        painter.circle_filled(centre, radius, colour);
+        on_accent(visuals)
+    } else {
+        let quiet = visuals.weak_text_color();
+        painter.circle_stroke(centre, radius - 0.5, Stroke::new(1.0, quiet.gamma_multiply(0.6)));
+        quiet
+    };
+    painter.text(centre, Align2::CENTER_CENTER, end.letter(), FontId::proportional(12.0), text);
+}
+
+/// Both themes, and the sizes of text.
+pub fn install(context: &Context) {
+    context.set_visuals_of(Theme::Dark, dark());
+    context.set_visuals_of(Theme::Light, light());
+    context.all_styles_mut(|style| {
+        let proportional = |size| FontId::new(size, FontFamily::Proportional);
+        style.text_styles.insert(TextStyle::Body, proportional(13.5));
+        style.text_styles.insert(TextStyle::Button, proportional(13.5));
+        style.text_styles.insert(TextStyle::Small, proportional(11.5));
+        style.text_styles.insert(TextStyle::Heading, proportional(17.0));
+        style.spacing.item_spacing = egui::vec2(8.0, 6.0);
+        style.spacing.button_padding = egui::vec2(9.0, 4.0);
+        style.spacing.interact_size.y = 26.0;
+    });
+}
+
+fn dark() -> Visuals {
+    let mut visuals = Visuals::dark();
+    visuals.panel_fill = Color32::from_rgb(24, 25, 28);
+    visuals.window_fill = Color32::from_rgb(34, 35, 39);
+    visuals.extreme_bg_color = Color32::from_rgb(16, 17, 19);
+    visuals.faint_bg_color = Color32::from_rgb(32, 33, 37);
+    visuals.override_text_color = Some(Color32::from_gray(225));
+    visuals.weak_text_color = Some(Color32::from_gray(155));
+    visuals.widgets.noninteractive.bg_stroke.color = Color32::from_rgb(46, 47, 52);
+    finish(visuals)
+}
+
+fn light() -> Visuals {
+    let mut visuals = Visuals::light();
+    visuals.panel_fill = Color32::from_rgb(243, 243, 245);
+    visuals.window_fill = Color32::WHITE;
+    visuals.extreme_bg_color = Color32::WHITE;
+    visuals.faint_bg_color = Color32::from_rgb(234, 235, 238);
+    visuals.override_text_color = Some(Color32::from_gray(30));
+    visuals.weak_text_color = Some(Color32::from_gray(95));
+    visuals.widgets.noninteractive.bg_stroke.color = Color32::from_gray(214);
+    finish(visuals)
+}
+
+fn finish(mut visuals: Visuals) -> Visuals {
+    let widgets = &mut visuals.widgets;
+    for widget in [&mut widgets.noninteractive, &mut widgets.inactive, &mut widgets.hovered, &mut widgets.active] {
+        widget.corner_radius = CornerRadius::same(6);
+    }
+    visuals.widgets.open.corner_radius = CornerRadius::same(6);
+    visuals.selection.bg_fill = accent(End::B, &visuals).gamma_multiply(0.35);
+    visuals.selection.stroke.color = accent(End::B, &visuals);
+    visuals
+}

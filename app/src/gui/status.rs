@@ -1,0 +1,33 @@
+//! The bottom line: what the worker is doing.
+
+use egui::{RichText, Spinner, Ui};
+
+use super::Gallery;
+
+/// The bottom line.
+pub struct Status<'a> {
+    pub gallery: &'a Gallery,
+    pub is_settled: bool,
+}
+
+impl Status<'_> {
+    pub fn show(self, ui: &mut Ui) {
+        let Self { gallery, is_settled } = self;
+        let text = match gallery.preparing {
+            Some(title) => format!("{title}: preparing the path, learning its basis where it has one"),
+            None if !is_settled => "Rendering".to_owned(),
+            None => "Ready".to_owned(),
+        };
+        ui.horizontal_centered(|ui| {
+            if is_settled {
+                ui.add_space(1.0);
+            } else {
+                ui.add(Spinner::new().size(12.0));
+            }
+            ui.label(RichText::new(text).small().weak());
+            ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
+                ui.label(RichText::new("figures: against the exact linear mix of A and B").small().weak());
+            });
+        });
+    }
+}

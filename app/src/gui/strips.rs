@@ -1,0 +1,88 @@
+//! Whole paths as film strips: the material at nine points of each, and where t is among them.
+
+use egui::{Align2, Color32, FontId, Rect, Sense, Stroke, Ui, Vec2, WidgetInfo, pos2, vec2};
+
+use super::{Gallery, Session, look};
+use crate::catalog::Catalog;
+use crate::worker::{Card, STRIP_STEPS};
+
+/// Smallest side of a frame.
+pub const SMALLEST: f32 = 36.0;
+const LARGEST: f32 = 110.0;
+const LABEL: f32 = 104.0;
+const GAP: f32 = 6.0;
+const TOP: f32 = 8.0;
+const BOTTOM: f32 = 8.0;
+
+/// The film strips of all methods.
+pub struct Strips<'a> {
+    pub session: &'a mut Session,
+    pub gallery: &'a Gallery,
+    pub frame: f32,
+}
+
+/// Height of so many strips \[points\].
+pub fn height(strips: usize, frame: f32) -> f32 {
+    8.0 + strips as f32 * (frame + GAP) - GAP + TOP + BOTTOM
+}
+
+/// Side of a frame for strips that must fit here \[points\].
+pub fn fit(available: Vec2, strips: usize) -> f32 {
+    let high = (available.y - height(strips, 0.0)) / strips as f32;
+    let wide = (available.x - LABEL - 24.0) / STRIP_STEPS as f32;
+    high.min(wide).clamp(SMALLEST, LARGEST)
+}
+
+impl Strips<'_> {
+    pub fn show(self, ui: &mut Ui, area: Rect) {
+        let Self { session, gallery, frame } = self;
+        let count = session.methods.len();
+        let tall = height(count, frame) - 8.0;
+        let area = Rect::from_min_size(area.min, vec2(area.width(), tall));
+        let painter = ui.painter().clone();
+        let visuals = ui.visuals().clone();
+        painter.rect(
+            area,
+            look::ROUND,
+            look::card_fill(&visuals),
+            look::card_stroke(&visuals),
+            egui::StrokeKind::Inside,
+        );
+        let first = area.left() + LABEL + frame / 2.0;
+        let last = area.right() - 12.0 - frame / 2.0;
+        let x = |t: f32| first + t * (last - first);
+        // Behind the spheres, so that it hides none.
+        let bar = Rect::from_center_size(pos2(x(session.t), area.center().y), vec2(frame + 4.0, area.height() - 2.0));
+        painter.rect_filled(bar, look::ROUND, visuals.selection.bg_fill.gamma_multiply(0.5));
+        painter.vline(x(session.t), bar.y_range(), Stroke::new(1.5, visuals.selection.stroke.color));
+        let mut chosen = None;
+        for (row, &method) in session.methods.iter().enumerate() {
+            let y = area.top() + TOP + frame / 2.0 + row as f32 * (frame + GAP);
+            let title = Catalog::interpolation_entry(method).map_or(method, |entry| entry.title);
+            let at = pos2(area.left() + 12.0, y);
+            painter.text(at, Align2::LEFT_CENTER, title, FontId::proportional(12.5), visuals.weak_text_color());
+            for step in 0..STRIP_STEPS {
+                let t = step as f32 / (STRIP_STEPS - 1) as f32;
+                let rect = Rect::from_center_size(pos2(x(t), y), Vec2::splat(frame));
+                let point = ui.interact(rect, ui.scope_id().with(("strip", method, step)), Sense::click());
+                point.widget_info(|| WidgetInfo::labeled(egui::Role::Button, true, format!("{title} at {t:.3}")));
+                match gallery.frame(Card::Method(method), step) {
+                    Some(texture) => {
+                        let whole = Rect::from_min_max(pos2(0.0, 0.0), pos2(1.0, 1.0));
+                        painter.image(texture.id(), rect, whole, Color32::WHITE);
+                    }
+                    None => {
+                        let quiet = visuals.weak_text_color().gamma_multiply(0.12);
+                        painter.circle_filled(rect.center(), 0.495 * frame, quiet);
+                    }
+                }
+                if point.clicked() {
+                    chosen = Some(t);
+                }
+            }
+        }
+        if let Some(t) = chosen {
+            session.go_to(t);
+        }
+    }
+}

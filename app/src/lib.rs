@@ -1,0 +1,17 @@
+//! The tool: command line and desktop app.
+
+pub mod catalog;
+pub mod cli;
+pub mod command;
+pub mod failure;
+pub mod families;
+#[cfg(feature = "gui")]
+pub mod gui;
+pub mod material;
+pub mod measure;
+pub mod output;
+pub mod progress;
+pub mod report;
+pub mod strip;
+#[cfg(feature = "gui")]
+pub mod worker;

@@ -1,0 +1,142 @@
+//! What a MATERIAL, FILE or CODE on the command line stands for.
+
+mod code_file;
+
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use anyhow::{Context, Result};
+use clap::Args;
+use nbrdf_core::library::{Entry, builtin};
+use nbrdf_core::{Code, Library, Material, Split};
+
+pub use code_file::{STDIN, read_code};
+
+use crate::catalog::{Catalog, Reference};
+use crate::failure::Failure;
+
+/// Where names and codes are looked up.
+#[derive(Debug, Clone, Args)]
+pub struct Sources {
+    /// Library whose names are meant: a folder or an archive; the built-in one by default.
+    #[arg(long, value_name = "PATH")]
+    library: Option<PathBuf>,
+    /// ZNBRDF checkpoint to use in place of the built-in one.
+    #[arg(long, value_name = "CKPT")]
+    checkpoint: Option<PathBuf>,
+}
+
+/// Opened sources.
+pub struct Shelf {
+    library: Option<Library>,
+    /// Everything by name, with the checkpoint asked for.
+    pub catalog: Catalog,
+}
+
+/// A material, and where it comes from.
+pub struct Item {
+    /// The reflectance, and the network where there is one.
+    pub material: Material,
+    /// Its line in a library.
+    pub entry: Option<Entry>,
+    /// Its code, if a code was named.
+    pub code: Option<Code>,
+}
+
+impl Sources {
+    /// Reads what was named.
+    pub fn open(&self) -> Result<Shelf> {
+        // Bases are learned from what the binary carries: a code means the same on every machine.
+        let catalog = Catalog::new(Arc::new(Reference::built_in()));
+        let catalog = match &self.checkpoint {
+            Some(path) => catalog.with_checkpoint(path)?,
+            None => catalog,
+        };
+        Ok(Shelf { library: self.library.as_deref().map(Library::load).transpose()?, catalog })
+    }
+}
+
+impl Shelf {
+    /// The library that names refer to.
+    pub fn library(&self) -> &Library {
+        self.library.as_ref().unwrap_or_else(|| builtin::shared())
+    }
+
+    /// A name in the library or the file of a network.
+    pub fn material(&self, argument: &str) -> Result<Item> {
+        match self.library().get(argument) {
+            Ok(entry) => Ok(Item::of_entry(entry.clone())),
+            Err(_) if argument == STDIN => {
+                Err(Failure::Usage("a code cannot stand here: decode it first".into()).into())
+            }
+            Err(_) if means_a_file(argument) => network_in(Path::new(argument)),
+            Err(unknown) => Err(unknown.into()),
+        }
+    }
+
+    /// A name in the library, the file of a network, or a code.
+    pub fn material_or_code(&self, argument: &str) -> Result<Item> {
+        if self.library().get(argument).is_err() && code_file::means_a_code(argument) {
+            return self.code(argument);
+        }
+        self.material(argument)
+    }
+
+    /// A code's file, or standard input for `-`, decoded by the model it names.
+    pub fn code(&self, argument: &str) -> Result<Item> {
+        let code = read_code(argument)?;
+        let file = code_file::shown(argument);
+        let representation = self.catalog.representation(&code.model, false).map_err(|error| {
+            Failure::InvalidFile(format!("{file}: expected the code of a model that is known here: {error}"))
+        })?;
+        let network = representation.network(&code).with_context(|| file.clone())?;
+        let name = code.material.clone().unwrap_or_else(|| "code".to_owned());
+        let material = match network {
+            Some(network) => Material::from_network(name, network),
+            None => Material::new(name, Arc::from(representation.decode(&code).with_context(|| file.clone())?)),
+        };
+        Ok(Item { material, entry: None, code: Some(code) })
+    }
+}
+
+impl Item {
+    fn of_entry(entry: Entry) -> Self {
+        Self { material: entry.material(), entry: Some(entry), code: None }
+    }
+
+    /// The split it belongs to; none for what is in no standard database.
+    pub fn split(&self) -> Option<Split> {
+        split_of(&self.material.name)
+    }
+}
+
+/// The split of a material of a standard database; splits say nothing about others.
+pub fn split_of(name: &str) -> Option<Split> {
+    let standard = nbrdf_core::Database::of(name).names().binary_search(&name).is_ok();
+    standard.then(|| Split::of(name))
+}
+
+/// A path, rather than a misspelt name.
+fn means_a_file(argument: &str) -> bool {
+    const FORMS: [&str; 7] = ["h5", "hdf5", "npz", "npy", "safetensors", "json", "zip"];
+    let path = Path::new(argument);
+    let extension = path.extension().and_then(|extension| extension.to_str()).unwrap_or_default();
+    let by_extension = FORMS.iter().any(|form| extension.eq_ignore_ascii_case(form));
+    by_extension || path.is_absolute() || argument.starts_with("./") || argument.starts_with("../") || path.exists()
+}
+
+fn network_in(path: &Path) -> Result<Item> {
+    if !path.exists() {
+        let found = format!("{}: expected the file of a network, found no such file", path.display());
+        return Err(Failure::InvalidFile(format!("{found}: check the path; `nbrdf list` names the materials")).into());
+    }
+    let mut entries = Library::load(path)?.into_entries();
+    match (entries.pop(), entries.len()) {
+        (Some(entry), 0) => Ok(Item::of_entry(entry)),
+        (_, others) => {
+            let path = path.display();
+            let found = format!("{path} holds {} materials: name one of them, with --library {path}", others + 1);
+            Err(Failure::Usage(found).into())
+        }
+    }
+}

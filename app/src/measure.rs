@@ -1,0 +1,7 @@
+//! Measuring: how close decoded materials come, and how good paths between materials are.
+
+pub mod families;
+pub mod path_quality;
+mod target;
+
+pub use target::{Target, higher_is_better};

@@ -1,0 +1,38 @@
+//! Files to be written: refused before the work, not after it.
+
+use std::path::Path;
+
+use anyhow::{Context, Result};
+use nbrdf_core::{Image, atomic};
+
+use crate::failure::Failure;
+
+/// Extensions of pictures.
+pub const PICTURES: [&str; 2] = ["png", "exr"];
+/// Extensions of networks.
+pub const NETWORKS: [&str; 3] = ["npz", "safetensors", "npy"];
+
+/// Refuses a path of another extension, and one that cannot be written.
+pub fn check(path: &Path, extensions: &[&str]) -> Result<()> {
+    let extension = path.extension().and_then(|extension| extension.to_str()).unwrap_or_default();
+    if !extensions.contains(&extension) {
+        let known: Vec<String> = extensions.iter().map(|known| format!(".{known}")).collect();
+        let path = path.display();
+        return Err(Failure::Usage(format!("{path}: expected the extension {}", known.join(" or "))).into());
+    }
+    check_writable(path)
+}
+
+/// Refuses a path that cannot be written.
+pub fn check_writable(path: &Path) -> Result<()> {
+    atomic::check(path).with_context(|| format!("{}: cannot be written", path.display()))
+}
+
+/// Writes a picture in the form of its extension.
+pub fn write_picture(path: &Path, picture: &Image) -> Result<()> {
+    match path.extension().is_some_and(|extension| extension == "exr") {
+        true => picture.write_exr(path)?,
+        false => picture.write_png(path)?,
+    }
+    Ok(())
+}

@@ -1,0 +1,194 @@
+//! Long work off the UI thread: prepares paths, renders spheres, compares them.
+//!
+//! Three threads. *Paths* encodes materials and learns bases; *spheres* renders the newest request, coarse first and
+//! fine when nothing newer came; *shelf* renders thumbnails and reads files. Each has a mailbox in which the newest
+//! request replaces older ones. Nothing here knows a window: answers wait in a channel, and `wake` says that they do.
+
+mod figures;
+mod mailbox;
+mod paths;
+mod picture;
+mod shelf;
+mod spheres;
+mod stock;
+
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::path::PathBuf;
+use std::sync::{Arc, PoisonError, RwLock, mpsc};
+
+use nbrdf_core::render::Light;
+use nbrdf_core::{Material, Vec3};
+
+pub use figures::Figures;
+pub use picture::Picture;
+pub use stock::Stock;
+
+use mailbox::Mailbox;
+use paths::Paths;
+
+/// Points of a film strip, ends included.
+pub const STRIP_STEPS: usize = 9;
+
+/// One sphere of the comparison.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Card {
+    /// The material at t = 0.
+    A,
+    /// What an interpolation, by catalog name, makes of the ends.
+    Method(&'static str),
+    /// The material at t = 1.
+    B,
+}
+
+/// The light the spheres stand in.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Lighting {
+    /// The eleven lamps of the reports.
+    Studio,
+    /// One lamp in this direction: +x right, +y up, +z towards the viewer.
+    Point(Vec3),
+}
+
+impl Lighting {
+    fn light(self) -> Light {
+        match self {
+            Self::Studio => Light::studio(),
+            Self::Point(direction) => Light::directional(direction),
+        }
+    }
+}
+
+/// What is to be shown.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Request {
+    /// Names of the ends.
+    pub ends: [String; 2],
+    /// Catalog names of the interpolations.
+    pub methods: Vec<&'static str>,
+    /// Where on the path, 0..1.
+    pub t: f32,
+    /// Exposure in stops.
+    pub exposure: f32,
+    /// The light.
+    pub lighting: Lighting,
+    /// Side of a sphere's picture in pixels.
+    pub size: usize,
+    /// Side of the pictures of the film strips in pixels; 0 for no strips.
+    pub strip: usize,
+}
+
+/// What the threads have to say.
+#[derive(Debug)]
+pub enum Answer {
+    /// A sphere, coarse or fine.
+    Picture(Card, Picture),
+    /// How a sphere compares with the linear mix.
+    Figures(Card, Figures),
+    /// A sphere has to wait for its path.
+    Pending(Card),
+    /// There is no such sphere.
+    Failed(Card, String),
+    /// One point of a film strip.
+    Frame(Card, usize, Picture),
+    /// The request of this number is shown in full.
+    Done(u64),
+    /// Which path is being prepared, if any.
+    Preparing(Option<&'static str>),
+    /// A small picture of a material.
+    Thumbnail(String, Picture),
+    /// Names of materials read from a file.
+    Opened(Vec<String>),
+    /// Something to tell the user.
+    Notice(String),
+}
+
+/// The threads.
+pub struct Worker {
+    requests: Arc<Mailbox<(u64, Request)>>,
+    wants: Arc<Mailbox<Vec<paths::Key>>>,
+    files: mpsc::Sender<PathBuf>,
+    answers: mpsc::Receiver<Answer>,
+    number: u64,
+}
+
+/// What all threads share.
+#[derive(Clone)]
+struct Office {
+    stock: Arc<Stock>,
+    materials: Arc<RwLock<Vec<Material>>>,
+    paths: Arc<Paths>,
+    requests: Arc<Mailbox<(u64, Request)>>,
+    wants: Arc<Mailbox<Vec<paths::Key>>>,
+    answers: mpsc::Sender<Answer>,
+    wake: Arc<dyn Fn() + Send + Sync>,
+}
+
+impl Worker {
+    /// Starts the threads; `wake` is called from them whenever an answer waits.
+    pub fn start(stock: Stock, wake: impl Fn() + Send + Sync + 'static) -> Self {
+        let (sender, answers) = mpsc::channel();
+        let (files, opened) = mpsc::channel();
+        let office = Office {
+            materials: Arc::new(RwLock::new(stock.materials.clone())),
+            stock: Arc::new(stock),
+            paths: Arc::default(),
+            requests: Arc::default(),
+            wants: Arc::default(),
+            answers: sender,
+            wake: Arc::new(wake),
+        };
+        let (requests, wants) = (Arc::clone(&office.requests), Arc::clone(&office.wants));
+        let [for_paths, for_spheres] = [office.clone(), office.clone()];
+        std::thread::spawn(move || paths::run(&for_paths));
+        std::thread::spawn(move || spheres::run(for_spheres));
+        std::thread::spawn(move || shelf::run(&office, &opened));
+        Self { requests, wants, files, answers, number: 0 }
+    }
+
+    /// Asks for spheres; replaces what was asked before. The number comes back in [`Answer::Done`].
+    pub fn show(&mut self, request: Request) -> u64 {
+        self.number += 1;
+        self.requests.put((self.number, request));
+        self.number
+    }
+
+    /// Asks to read the materials of a file, a folder or an archive.
+    pub fn open(&self, path: PathBuf) {
+        // The thread outlives the sender, unless the process is about to end.
+        let _ = self.files.send(path);
+    }
+
+    /// What the threads said since the last call.
+    pub fn answers(&self) -> impl Iterator<Item = Answer> {
+        self.answers.try_iter()
+    }
+}
+
+impl Drop for Worker {
+    fn drop(&mut self) {
+        self.requests.close();
+        self.wants.close();
+    }
+}
+
+impl Office {
+    fn say(&self, answer: Answer) {
+        // Nobody listens once the window is closed.
+        let _ = self.answers.send(answer);
+        (self.wake)();
+    }
+
+    fn material(&self, name: &str) -> Option<Material> {
+        let materials = self.materials.read().unwrap_or_else(PoisonError::into_inner);
+        materials.iter().find(|material| material.name == name).cloned()
+    }
+}
+
+/// Runs a job; a panic becomes a message, so that it does not take the window down.
+fn guarded<T>(what: &str, job: impl FnOnce() -> T) -> Result<T, String> {
+    catch_unwind(AssertUnwindSafe(job)).map_err(|panic| {
+        let said = panic.downcast_ref::<String>().map(String::as_str);
+        let said = said.or_else(|| panic.downcast_ref::<&str>().copied()).unwrap_or("no reason given");
+        format!("{what} failed unexpectedly: {said}")
+    })
+}

@@ -1,0 +1,95 @@
+//! A mailbox that keeps only the newest letter.
+
+use std::sync::{Condvar, Mutex, MutexGuard, PoisonError};
+use std::time::Duration;
+
+/// The newest value put in; taking it leaves a copy, which can be asked for again.
+pub struct Mailbox<T> {
+    slot: Mutex<Slot<T>>,
+    bell: Condvar,
+}
+
+struct Slot<T> {
+    newest: Option<T>,
+    is_unread: bool,
+    is_closed: bool,
+}
+
+impl<T> Default for Mailbox<T> {
+    fn default() -> Self {
+        Self { slot: Mutex::new(Slot { newest: None, is_unread: false, is_closed: false }), bell: Condvar::new() }
+    }
+}
+
+impl<T: Clone> Mailbox<T> {
+    /// Replaces whatever was there.
+    pub fn put(&self, value: T) {
+        let mut slot = self.lock();
+        slot.newest = Some(value);
+        slot.is_unread = true;
+        self.bell.notify_all();
+    }
+
+    /// Makes the newest value unread again: what it depends on has changed.
+    pub fn again(&self) {
+        let mut slot = self.lock();
+        slot.is_unread = slot.newest.is_some();
+        self.bell.notify_all();
+    }
+
+    /// Waits for an unread value; none once the mailbox is closed.
+    pub fn take(&self) -> Option<T> {
+        let mut slot = self.lock();
+        while !slot.is_unread && !slot.is_closed {
+            slot = self.bell.wait(slot).unwrap_or_else(PoisonError::into_inner);
+        }
+        slot.is_unread = false;
+        if slot.is_closed { None } else { slot.newest.clone() }
+    }
+
+    /// Whether something newer than the last value taken is there.
+    pub fn has_news(&self) -> bool {
+        let slot = self.lock();
+        slot.is_unread || slot.is_closed
+    }
+
+    /// Waits; whether nothing newer came in the meantime.
+    pub fn stays_quiet(&self, patience: Duration) -> bool {
+        let waited = self.bell.wait_timeout_while(self.lock(), patience, |slot| !slot.is_unread && !slot.is_closed);
+        waited.unwrap_or_else(PoisonError::into_inner).1.timed_out()
+    }
+
+    /// Ends all waiting.
+    pub fn close(&self) {
+        self.lock().is_closed = true;
+        self.bell.notify_all();
+    }
+
+    fn lock(&self) -> MutexGuard<'_, Slot<T>> {
+        self.slot.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_newest_letter_wins_and_is_read_once() {
+        let mailbox = Mailbox::default();
+        mailbox.put(1);
+        mailbox.put(2);
+        assert_eq!(mailbox.take(), Some(2));
+        assert!(!mailbox.has_news());
+        assert!(mailbox.stays_quiet(Duration::from_millis(1)));
+        mailbox.again();
+        assert_eq!(mailbox.take(), Some(2));
+    }
+
+    #[test]
+    fn a_closed_mailbox_lets_its_reader_go() {
+        let mailbox = Mailbox::<u8>::default();
+        mailbox.close();
+        assert_eq!(mailbox.take(), None);
+    }
+}

@@ -1,0 +1,52 @@
+//! The thread that renders thumbnails and reads files.
+
+use std::path::{Path, PathBuf};
+use std::sync::{PoisonError, mpsc};
+
+use nbrdf_core::render::{Light, Sphere};
+use nbrdf_core::{Library, Material};
+
+use super::{Answer, Office, guarded, picture::Picture};
+
+/// Side of a thumbnail in pixels: 44 points on a dense display.
+const SIZE: usize = 88;
+
+/// Thumbnails first, then files as they come.
+pub(super) fn run(office: &Office, files: &mpsc::Receiver<PathBuf>) {
+    let sphere = Sphere::new(SIZE, &Light::studio());
+    thumbnails(office, &sphere, &office.stock.materials);
+    for path in files {
+        match guarded("Reading the file", || read(office, &path)) {
+            Ok(Ok(materials)) => {
+                let names = materials.iter().map(|material| material.name.clone()).collect();
+                office.materials.write().unwrap_or_else(PoisonError::into_inner).extend(materials.iter().cloned());
+                office.say(Answer::Opened(names));
+                thumbnails(office, &sphere, &materials);
+            }
+            Ok(Err(why)) | Err(why) => office.say(Answer::Notice(why)),
+        }
+    }
+}
+
+fn thumbnails(office: &Office, sphere: &Sphere, materials: &[Material]) {
+    for Material { name, brdf, .. } in materials {
+        match guarded(name, || Picture::of(&sphere.render(brdf.as_ref()))) {
+            Ok(picture) => office.say(Answer::Thumbnail(name.clone(), picture)),
+            Err(why) => office.say(Answer::Notice(why)),
+        }
+    }
+}
+
+fn read(office: &Office, path: &Path) -> Result<Vec<Material>, String> {
+    let mut materials = Library::load(path).map_err(|error| error.to_string())?.materials();
+    let stem = path.file_stem().map_or_else(String::new, |stem| stem.to_string_lossy().into_owned());
+    for material in &mut materials {
+        // Two files may hold a material of one name; both stay.
+        let (name, mut copy) = (material.name.clone(), 1);
+        while office.material(&material.name).is_some() {
+            material.name = if copy == 1 { format!("{name} ({stem})") } else { format!("{name} ({stem} {copy})") };
+            copy += 1;
+        }
+    }
+    Ok(materials)
+}

@@ -1,0 +1,285 @@
+//! The program as its users meet it: what goes in, what comes out, and with which exit code.
+
+mod support;
+
+use std::io::{Cursor, Write};
+
+use nbrdf_core::data::published_or_skip;
+use nbrdf_core::library::builtin;
+use nbrdf_core::nbrdf::{ARRAYS, npy};
+use serde_json::Value;
+use support::Place;
+use zip::{ZipWriter, write::SimpleFileOptions};
+
+fn chrome_npz() -> Vec<u8> {
+    npy::write_npz(&builtin::shared().get("chrome").unwrap().network)
+}
+
+fn zip_of(files: &[(&str, &[u8])]) -> Vec<u8> {
+    let mut zip = ZipWriter::new(Cursor::new(Vec::new()));
+    for (name, bytes) in files {
+        zip.start_file(*name, SimpleFileOptions::default()).unwrap();
+        zip.write_all(bytes).unwrap();
+    }
+    zip.finish().unwrap().into_inner()
+}
+
+/// A folder `two` of two networks.
+fn two_materials(place: &Place) {
+    std::fs::create_dir(place.path().join("two")).unwrap();
+    place.write("two/chrome.npz", &chrome_npz());
+    let fabric = &builtin::shared().get("blue-fabric").unwrap().network;
+    place.write("two/blue-fabric.npz", &npy::write_npz(fabric));
+}
+
+#[test]
+fn list_names_every_built_in_material_and_its_split() {
+    let place = Place::new();
+    let report = place.run(&["list", "--json"]).json();
+    let materials = report["materials"].as_array().unwrap();
+    let chrome = materials.iter().find(|material| material["name"] == "chrome").unwrap();
+    assert_eq!((&chrome["database"], &chrome["held_out"]), (&"merl".into(), &true.into()));
+    assert_eq!(place.run(&["list"]).text().lines().count(), materials.len());
+    two_materials(&place);
+    assert_eq!(place.run(&["list", "--library", "two"]).text().lines().count(), 2);
+}
+
+#[test]
+fn info_tells_energy_size_and_how_well_the_model_knows_a_material() {
+    let report = Place::new().run(&["info", "chrome", "--json"]).json();
+    assert_eq!((&report["bytes"]["weights"], &report["bytes"]["code"]), (&2700.into(), &128.into()));
+    for key in ["albedo_max", "reciprocity", "negative_share"] {
+        assert!(report[key].as_f64().unwrap() >= 0.0, "{key}");
+    }
+    assert!(report["znbrdf"]["log_error"].as_f64().unwrap() > 0.0);
+    assert!(report["znbrdf"]["studio_psnr"].as_f64().unwrap() > 5.0);
+    assert!(Place::new().run(&["info", "rgl/paper_white"]).text().contains("rgl, held out"));
+}
+
+#[test]
+fn a_code_goes_through_a_pipe_and_comes_back_as_a_network() {
+    let place = Place::new();
+    let code = place.run(&["encode", "chrome"]).ok();
+    let parsed: Value = serde_json::from_slice(&code).unwrap();
+    assert_eq!((&parsed["schema"], &parsed["material"]), (&1.into(), &"chrome".into()));
+    assert_eq!(parsed["code"].as_array().unwrap().len(), 32);
+    for name in ["c.npz", "c.safetensors", "c.npy"] {
+        place.run_with_input(&["decode", "-", "-o", name], &code).ok();
+    }
+    assert_eq!(place.names().len(), 2 + ARRAYS.len());
+    assert_eq!(place.run(&["info", "c.npz", "--json"]).json()["hidden"], serde_json::json!([21, 21]));
+    place.run(&["encode", "c_fc1.npy", "-o", "again.json"]).ok();
+    assert_eq!(place.run_with_input(&["info", "-", "--json"], &code).json()["name"], "chrome");
+}
+
+#[test]
+fn the_same_material_gives_the_same_code_and_refinement_another() {
+    let place = Place::new();
+    let plain = place.run(&["encode", "chrome"]).ok();
+    assert_eq!(place.run(&["encode", "chrome", "--threads", "1"]).ok(), plain);
+    assert_ne!(place.run(&["encode", "chrome", "--refine"]).ok(), plain);
+}
+
+#[test]
+fn codes_of_tables_are_rendered_but_not_written_as_networks() {
+    let place = Place::new();
+    place.run(&["encode", "chrome", "--with", "pca_tables", "-o", "t.json"]).ok();
+    let said = place.run(&["decode", "t.json", "-o", "t.npz"]).fails(2);
+    assert!(said.contains("nbrdf render t.json"), "{said}");
+    place.run(&["render", "t.json", "-o", "t.png", "--size", "32"]).ok();
+    assert_eq!(place.names(), ["t.json", "t.png"]);
+}
+
+#[test]
+fn render_writes_png_and_exr_of_names_files_and_codes() {
+    let place = Place::new();
+    place.write("mine.npz", &chrome_npz());
+    place.run(&["encode", "chrome", "-o", "code.json"]).ok();
+    for (material, output) in [("chrome", "a.png"), ("mine.npz", "b.exr"), ("code.json", "c.png")] {
+        place.run(&["render", material, "-o", output, "--size", "32", "--light", "point"]).ok();
+    }
+    assert!(place.file("a.png").starts_with(b"\x89PNG"));
+    assert!(place.file("b.exr").starts_with(b"\x76\x2f\x31\x01"));
+    place.run(&["render", "chrome", "-o", "d.png", "--size", "32", "--exposure", "-2"]).ok();
+    assert_ne!(place.file("d.png"), place.file("a.png"));
+    for wrong in [["--size", "0"], ["--size", "4097"], ["--light", "moon"], ["--exposure", "nan"]] {
+        place.run(&["render", "chrome", "-o", "e.png", wrong[0], wrong[1]]).fails(2);
+    }
+}
+
+#[test]
+fn blend_draws_every_method_unless_told_otherwise() {
+    let place = Place::new();
+    let report = place.run(&["blend", "aluminium", "blue-fabric", "--steps", "7", "--size", "32", "--json"]).json();
+    let methods = report["methods"].as_array().unwrap();
+    assert_eq!(methods.len(), nbrdf::catalog::INTERPOLATIONS.len());
+    assert!(methods.iter().all(|method| method["failed"].is_null()), "{methods:?}");
+    assert_eq!(report["weights"].as_array().unwrap().len(), 7);
+    assert!(place.file("blend.png").starts_with(b"\x89PNG"));
+}
+
+#[test]
+fn blend_takes_more_than_two_materials_and_chosen_places() {
+    let place = Place::new();
+    let quick = ["--method", "linear_mix", "--method", "latent", "--size", "16", "--json"];
+    let run = |more: &[&str]| place.run(&[&["blend", "chrome", "rgl/paper_white"], more, &quick].concat());
+    assert_eq!(run(&["blue-fabric", "-o", "three.png"]).json()["weights"].as_array().unwrap().len(), 7);
+    assert_eq!(run(&["--at", "0.25", "0.5", "-o", "two.exr"]).json()["weights"][0], serde_json::json!([0.75, 0.25]));
+    let beyond = run(&["--at", "1.5", "-o", "beyond.png"]);
+    assert!(beyond.talk().contains("warning: 1.5 lies beyond"), "{}", beyond.talk());
+    run(&["--at", "1.5", "-o", "strict.png", "--strict"]).fails(1);
+    run(&["--method", "latnt"]).fails(2);
+    assert_eq!(place.names(), ["beyond.png", "three.png", "two.exr"]);
+    place.run(&["blend", "chrome"]).fails(2);
+}
+
+#[test]
+fn completions_are_scripts() {
+    for shell in ["bash", "zsh", "fish"] {
+        assert!(Place::new().run(&["completions", shell]).text().contains("nbrdf"));
+    }
+}
+
+#[test]
+fn unknown_names_bring_the_nearest_and_exit_with_2() {
+    let place = Place::new();
+    let said = place.run(&["info", "chrme"]).fails(2);
+    assert!(said.contains("did you mean `chrome`"), "{said}");
+    let said = place.run(&["render", "paper-white", "-o", "x.png"]).fails(2);
+    assert!(said.contains("`rgl/paper_white`"), "{said}");
+    assert!(place.run(&["encode", "chrome", "--with", "pca_table"]).fails(2).contains("pca_tables"));
+    place.run(&["frobnicate"]).fails(2);
+    place.run(&["render", "chrome", "-o", "x.gif"]).fails(2);
+    place.run_with_input(&["decode", "-", "-o", "x.h5"], b"").fails(2);
+    assert!(place.names().is_empty());
+}
+
+#[test]
+fn files_that_are_no_networks_exit_with_3_and_are_named() {
+    let place = Place::new();
+    let whole = chrome_npz();
+    let wrong_shape = npy::write_npz(&nbrdf_core::Nbrdf::new([2, 2], vec![0.0; 29]).unwrap());
+    let nan = {
+        let mut arrays = npy::write_npy(&builtin::shared().get("chrome").unwrap().network);
+        let end = arrays[0].len();
+        arrays[0][end - 4..].copy_from_slice(&f32::NAN.to_le_bytes());
+        arrays
+    };
+    for (array, bytes) in ARRAYS.iter().zip(&nan) {
+        place.write(&format!("nan_{array}.npy"), bytes);
+    }
+    // One array of another shape than its neighbours.
+    for (array, (own, other)) in ARRAYS.iter().zip(nan.iter().zip(npy_of(&wrong_shape))) {
+        place.write(&format!("odd_{array}.npy"), if *array == "fc2" { &other } else { own });
+    }
+    place.write("cut.npz", &whole[..whole.len() / 2]);
+    place.write("junk.h5", b"junk");
+    place.write("notes.txt", b"hello");
+    for name in ["cut.npz", "junk.h5", "./notes.txt", "missing.npz", "nan_fc1.npy", "odd_fc1.npy"] {
+        let said = place.run(&["info", name]).fails(3);
+        assert!(said.contains(name.trim_start_matches("./")), "{said}");
+    }
+}
+
+fn npy_of(npz: &[u8]) -> [Vec<u8>; 6] {
+    npy::write_npy(&npy::read_npz(npz).unwrap())
+}
+
+#[test]
+fn hostile_archives_exit_with_3_and_write_nothing() {
+    let place = Place::new();
+    let network = chrome_npz();
+    let whole = zip_of(&[("chrome.npz", &network)]);
+    place.write("cut.zip", &whole[..whole.len() - 30]);
+    place.write("traversal.zip", &zip_of(&[("../../chrome.npz", &network)]));
+    place.write("bomb.zip", &zip_of(&[("chrome.h5", &vec![0; 32 << 20])]));
+    place.write("empty.zip", &zip_of(&[("readme.txt", b"hello")]));
+    let before = place.names();
+    for name in ["cut.zip", "traversal.zip", "bomb.zip", "empty.zip"] {
+        let said = place.run(&["import", name, "-o", "library"]).fails(3);
+        assert!(said.contains(name), "{said}");
+    }
+    assert_eq!(place.names(), before);
+    place.write("mixed.zip", &zip_of(&[("chrome.npz", &network), ("bad.h5", b"junk")]));
+    place.run(&["import", "mixed.zip", "-o", "library"]).fails(3);
+    let report = place.run(&["import", "mixed.zip", "-o", "library", "--skip-bad", "--json"]).json();
+    assert_eq!(report["materials"].as_array().unwrap().len(), 1);
+}
+
+#[test]
+fn codes_of_another_length_model_or_checkpoint_exit_with_3() {
+    let place = Place::new();
+    let code: Value = serde_json::from_slice(&place.run(&["encode", "chrome"]).ok()).unwrap();
+    let changed = |key: &str, value: Value| {
+        let mut code = code.clone();
+        code[key] = value;
+        code.to_string()
+    };
+    let cases = [
+        (changed("code", serde_json::json!([1.0, 2.0])), "32 numbers, found 2"),
+        (changed("checkpoint", "0123456789abcdef".into()), "0123456789abcdef"),
+        (changed("model", "znbrdff".into()), "znbrdf"),
+        (changed("schema", 2.into()), "schema 2"),
+        (code.to_string().replacen("[", "[1e39, ", 1), "place 0"),
+        ("{".into(), "nbrdf encode"),
+    ];
+    for (json, expected) in cases {
+        let said = place.run_with_input(&["decode", "-", "-o", "x.npz"], json.as_bytes()).fails(3);
+        assert!(said.contains(expected) && said.contains("standard input"), "{said}");
+    }
+    place.run(&["decode", "missing.json", "-o", "x.npz"]).fails(3);
+    assert!(place.names().is_empty());
+}
+
+#[test]
+fn what_cannot_be_written_exits_with_1_and_leaves_nothing() {
+    let place = Place::new();
+    std::fs::create_dir(place.path().join("taken.png")).unwrap();
+    let commands: [&[&str]; 4] = [
+        &["render", "chrome", "-o", "nowhere/x.png"],
+        &["render", "chrome", "-o", "taken.png"],
+        &["blend", "chrome", "blue-fabric", "-o", "nowhere/x.png"],
+        &["encode", "chrome", "-o", "nowhere/x.json"],
+    ];
+    for command in commands {
+        assert!(place.run(command).fails(1).contains("cannot be written"));
+    }
+    assert_eq!(place.names(), ["taken.png"]);
+}
+
+#[test]
+fn the_published_archive_imports_as_100_materials() {
+    let Some(archive) = published_or_skip("merl_nbrdf.zip") else { return };
+    let place = Place::new();
+    let report = place.run(&["import", archive.to_str().unwrap(), "-o", "merl", "--json"]).json();
+    assert_eq!(report["materials"].as_array().unwrap().len(), 100);
+    let listed = place.run(&["list", "--library", "merl", "--json"]).json();
+    assert_eq!(listed["materials"].as_array().unwrap().len(), 100);
+}
+
+#[test]
+fn a_shared_start_import_gives_the_same_bytes_for_the_same_seed() {
+    let place = Place::new();
+    two_materials(&place);
+    let import = |output: &str, seed: &str| {
+        place.run(&["import", "two", "-o", output, "--shared-start", "--steps", "20", "--seed", seed]).ok();
+        place.file(&format!("{output}/library.safetensors"))
+    };
+    let first = import("a", "1");
+    assert_eq!(import("b", "1"), first);
+    assert_ne!(import("c", "2"), first);
+}
+
+#[test]
+fn training_twice_gives_the_same_checkpoint_and_its_codes_are_told_from_others() {
+    let place = Place::new();
+    for output in ["a.safetensors", "b.safetensors"] {
+        let report = place.run(&["train", "--steps", "20", "--seed", "3", "-o", output, "--json"]).json();
+        assert_eq!(report["model"], "znbrdf");
+    }
+    assert_eq!(place.file("a.safetensors"), place.file("b.safetensors"));
+    let code = place.run(&["encode", "chrome", "--checkpoint", "a.safetensors"]).ok();
+    place.run_with_input(&["decode", "-", "-o", "x.npz", "--checkpoint", "b.safetensors"], &code).ok();
+    place.run_with_input(&["decode", "-", "-o", "y.npz"], &code).fails(3);
+    place.run(&["encode", "chrome", "--checkpoint", "x.npz"]).fails(3);
+}

@@ -1,0 +1,139 @@
+//! The desktop app, driven without a window.
+
+use std::process::Command;
+use std::time::{Duration, Instant};
+
+use egui::accesskit::Role;
+use egui::{Key, Modifiers};
+use egui_kittest::{Harness, kittest::Queryable as _};
+use nbrdf::gui::{Session, Workbench};
+use nbrdf::worker::{Card, Stock};
+
+fn quick() -> Session {
+    Session { methods: vec!["raw_weights"], strips: false, ..Session::default() }
+}
+
+fn open(stock: Stock, session: Session, size: [f32; 2]) -> Harness<'static, Workbench> {
+    let workbench = Workbench::new(stock, session);
+    Harness::builder().with_size(size).build_ui_state(|ui, workbench: &mut Workbench| workbench.ui(ui), workbench)
+}
+
+fn built_in(session: Session) -> Harness<'static, Workbench> {
+    open(Stock::built_in(), session, [1200.0, 800.0])
+}
+
+fn until(harness: &mut Harness<'_, Workbench>, what: &str, is_so: impl Fn(&Workbench) -> bool) {
+    let patience = Instant::now() + Duration::from_secs(120);
+    while !is_so(harness.state()) {
+        assert!(Instant::now() < patience, "still waiting until {what}");
+        std::thread::sleep(Duration::from_millis(10));
+        harness.step();
+    }
+    harness.step();
+}
+
+fn settle(harness: &mut Harness<'_, Workbench>) {
+    harness.step();
+    until(harness, "everything is shown", Workbench::is_settled);
+}
+
+#[test]
+fn search_narrows_the_list() {
+    let mut harness = built_in(quick());
+    assert!(harness.query_by_label("alum-bronze").is_some());
+    harness.get_by_role(Role::TextInput).focus();
+    harness.step();
+    harness.get_by_role(Role::TextInput).type_text("fabric blu");
+    harness.run_steps(3);
+    assert!(harness.query_by_label("alum-bronze").is_none());
+    assert!(harness.query_by_role_and_label(Role::ListItem, "blue-fabric").is_some());
+}
+
+#[test]
+fn choosing_ends_changes_the_cards() {
+    let mut harness = built_in(quick());
+    settle(&mut harness);
+    let before = harness.state().gallery.view(Card::B).and_then(|view| view.figures);
+    harness.state_mut().session.search = "chrome".to_owned();
+    harness.run_steps(2);
+    harness.get_by_role_and_label(Role::ListItem, "chrome-steel").click();
+    harness.run_steps(2);
+    harness.get_by_role_and_label(Role::ListItem, "chrome").click_modifiers(Modifiers::SHIFT);
+    harness.run_steps(2);
+    assert_eq!(harness.state().session.ends, ["chrome-steel", "chrome"]);
+    settle(&mut harness);
+    assert_ne!(harness.state().gallery.view(Card::B).and_then(|view| view.figures), before);
+    harness.get_by_label("chrome as A").click();
+    harness.run_steps(2);
+    assert_eq!(harness.state().session.ends, ["chrome", "chrome"]);
+}
+
+#[test]
+fn arrow_keys_scrub_and_a_new_picture_arrives() {
+    let mut harness = built_in(quick());
+    settle(&mut harness);
+    let figures = |bench: &Workbench| bench.gallery.view(Card::Method("raw_weights")).and_then(|view| view.figures);
+    let before = figures(harness.state());
+    assert!(before.is_some());
+    harness.get_by_label("t, from A to B").focus();
+    harness.run_steps(2);
+    harness.key_press(Key::ArrowRight);
+    harness.run_steps(2);
+    assert_eq!(harness.state().session.t, 9.0 / 16.0);
+    settle(&mut harness);
+    assert_ne!(figures(harness.state()), before);
+    assert!(harness.query_by_label("Sphere raw_weights: shown").is_some());
+}
+
+#[test]
+fn film_strips_show_whole_paths_and_go_there() {
+    let mut harness = built_in(Session { strips: true, ..quick() });
+    settle(&mut harness);
+    assert!((0..9).all(|step| harness.state().gallery.frame(Card::Method("raw_weights"), step).is_some()));
+    harness.get_by_label("Raw weights at 0.250").click();
+    harness.run_steps(2);
+    assert_eq!(harness.state().session.t, 0.25);
+}
+
+#[test]
+fn an_unknown_material_is_a_notice() {
+    let mut harness = built_in(Session { ends: ["crome".to_owned(), "chrome".to_owned()], ..quick() });
+    until(&mut harness, "there is a notice", |bench| !bench.gallery.notices.is_empty());
+    assert!(harness.query_by_label("Sphere A: failed").is_some());
+    harness.get_by_label("Dismiss").click();
+    harness.run_steps(2);
+    assert!(harness.state().gallery.notices.is_empty());
+}
+
+#[test]
+fn a_panicking_method_is_a_notice_and_the_other_spheres_stay() {
+    let stock = Stock { interpolation: Box::new(|_| panic!("out of paint")), ..Stock::built_in() };
+    let mut harness = open(stock, quick(), [1200.0, 800.0]);
+    settle(&mut harness);
+    assert!(harness.state().gallery.notices.iter().any(|notice| notice.contains("out of paint")));
+    assert!(harness.query_by_label("Sphere raw_weights: failed").is_some());
+    assert!(harness.query_by_label("Sphere A: shown").is_some());
+}
+
+#[test]
+fn in_a_small_window_no_spheres_overlap() {
+    let methods = vec!["latent", "raw_weights", "linear_mix", "log_mix", "nearest_end"];
+    let mut harness = open(Stock::built_in(), Session { methods, ..quick() }, [640.0, 480.0]);
+    harness.run_steps(3);
+    let spheres: Vec<_> = harness.query_all_by_role(Role::Image).map(|node| node.rect()).collect();
+    assert!(spheres.len() >= 2, "{spheres:?}");
+    for (place, sphere) in spheres.iter().enumerate() {
+        assert!(sphere.width() >= 90.0);
+        assert!(spheres[place + 1..].iter().all(|other| !other.shrink(0.5).intersects(*sphere)), "{spheres:?}");
+    }
+}
+
+#[test]
+#[cfg(all(unix, not(target_os = "macos")))]
+fn without_a_display_it_names_the_command_to_try() {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_nbrdf"));
+    let output = command.env_remove("DISPLAY").env_remove("WAYLAND_DISPLAY").output().unwrap();
+    let said = String::from_utf8_lossy(&output.stderr);
+    assert_eq!(output.status.code(), Some(1), "{said}");
+    assert!(said.contains("no display") && said.contains("nbrdf blend aluminium blue-fabric -o strip.png"), "{said}");
+}
