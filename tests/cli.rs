@@ -232,17 +232,18 @@ fn codes_of_another_length_model_or_checkpoint_exit_with_3() {
 }
 
 #[test]
-fn what_cannot_be_written_exits_with_1_and_leaves_nothing() {
+fn what_cannot_be_written_exits_with_3_and_leaves_nothing() {
     let place = Place::new();
     std::fs::create_dir(place.path().join("taken.png")).unwrap();
-    let commands: [&[&str]; 4] = [
+    let commands: [&[&str]; 5] = [
         &["render", "chrome", "-o", "nowhere/x.png"],
         &["render", "chrome", "-o", "taken.png"],
         &["blend", "chrome", "blue-fabric", "-o", "nowhere/x.png"],
         &["encode", "chrome", "-o", "nowhere/x.json"],
+        &["train", "-o", "nowhere/x.safetensors"],
     ];
     for command in commands {
-        assert!(place.run(command).fails(1).contains("cannot be written"));
+        assert!(place.run(command).fails(3).contains("cannot be written"));
     }
     assert_eq!(place.names(), ["taken.png"]);
 }

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use anyhow::{Context, Result};
+use anyhow::Result;
 use nbrdf_core::{Image, atomic};
 
 use crate::failure::Failure;
@@ -25,7 +25,8 @@ pub fn check(path: &Path, extensions: &[&str]) -> Result<()> {
 
 /// Refuses a path that cannot be written.
 pub fn check_writable(path: &Path) -> Result<()> {
-    atomic::check(path).with_context(|| format!("{}: cannot be written", path.display()))
+    let refused = |error| Failure::InvalidFile(format!("{}: cannot be written: {error}", path.display()));
+    atomic::check(path).map_err(|error| refused(error).into())
 }
 
 /// Writes a picture in the form of its extension.
