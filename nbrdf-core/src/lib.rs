@@ -43,6 +43,7 @@ pub mod nbrdf;
 pub mod path;
 pub mod render;
 pub mod representation;
+pub mod sampler;
 pub mod sampling;
 pub mod split;
 
@@ -57,4 +58,5 @@ pub use material::Material;
 pub use nbrdf::Nbrdf;
 pub use path::{Interpolation, Path, Weights};
 pub use representation::{Code, Representation};
+pub use sampler::Sampler;
 pub use split::Split;
