@@ -36,14 +36,14 @@ impl DecodedLoss {
     fn row(&self, weights: &[f32], target: &Target, gradient: &mut [f32]) -> f32 {
         let Target { samples, features: wanted } = target;
         let mut network = Backpropagation::new(PUBLISHED_HIDDEN);
-        let mut values = vec![Rgb::BLACK; samples.inputs.len()];
+        let mut values = vec![Rgb::BLACK; samples.at.len()];
         let (mut own, mut by_feature) = (vec![0.0; wanted.len()], vec![0.0; wanted.len()]);
-        network.forward(weights, &samples.inputs, &mut values);
+        network.forward(weights, &samples.at, &mut values);
         features_into(samples, &values, &mut own);
         let loss = self.objective.loss(samples, &own, wanted, &mut by_feature);
         let mut by_value = vec![Rgb::BLACK; values.len()];
         pull_back(samples, &values, &own, &by_feature, &mut by_value);
-        network.backward(weights, &by_value, gradient);
+        network.backward(weights, &samples.at, &by_value, gradient);
         loss as f32
     }
 }
@@ -93,8 +93,13 @@ mod tests {
         let mut rows = Vec::new();
         for (row, target) in targets.iter().enumerate() {
             let samples = &target.samples;
-            let count = samples.inputs.len();
-            let inputs = samples.inputs.iter().flat_map(|at| [at.half.to_array(), at.diff.to_array()].concat());
+            let count = samples.at.len();
+            let inputs = samples
+                .at
+                .directions()
+                .iter()
+                .map(|at| at.half_diff())
+                .flat_map(|at| [at.half.to_array(), at.diff.to_array()].concat());
             let mut x = Tensor::from_vec(inputs.collect::<Vec<_>>(), (count, 6), &Device::Cpu)?;
             let w = weights.get(row)?;
             let mut start = 0;

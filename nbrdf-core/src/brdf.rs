@@ -3,6 +3,9 @@
 pub mod ggx;
 pub mod lambert;
 pub mod microfacet;
+mod prepared;
+
+pub use prepared::Prepared;
 
 use crate::{Directions, Rgb};
 
@@ -20,6 +23,15 @@ pub trait Brdf: Send + Sync {
         for (&at, out) in at.iter().zip(out) {
             *out = self.eval(at);
         }
+    }
+
+    /// Like [`eval_into`](Self::eval_into), from pairs that are asked again and again of changing materials: models
+    /// that read half and difference vectors find them ready.
+    ///
+    /// # Panics
+    /// If `at` and `out` differ in length (a bug of the caller).
+    fn eval_prepared(&self, at: &Prepared, out: &mut [Rgb]) {
+        self.eval_into(at.directions(), out);
     }
 
     /// Like [`eval_into`](Self::eval_into), but before the model's own clamp at zero:

@@ -30,6 +30,7 @@ pub mod adam;
 pub mod atomic;
 pub mod brdf;
 pub mod color;
+pub mod cost;
 pub mod data;
 pub mod database;
 pub mod direction;

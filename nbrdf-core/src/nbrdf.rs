@@ -8,9 +8,10 @@ pub mod file;
 pub mod fit;
 pub mod gradient;
 pub mod keras;
-mod kernel;
+pub(crate) mod kernel;
 pub mod npy;
 pub mod objective;
+mod prune;
 pub mod safetensors;
 pub mod samples;
 mod shape;
@@ -18,8 +19,11 @@ pub mod symmetry;
 
 use std::ops::Range;
 
+use crate::brdf::Prepared;
 use crate::{Brdf, Directions, Rgb};
+use kernel::{Packed, Sign};
 
+pub use kernel::{InstructionSet, Live};
 pub use shape::{ARRAYS, ShapeError};
 
 /// Inputs of the network: h.x h.y h.z d.x d.y d.z.
@@ -37,10 +41,19 @@ pub const fn weight_count(hidden: [usize; 2]) -> usize {
 }
 
 /// A network and its hidden widths; always finite, always of the right length.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug)]
 pub struct Nbrdf {
     hidden: [usize; 2],
     weights: Vec<f32>,
+    /// The weights again, in the order of the kernel.
+    packed: Packed,
+}
+
+/// Networks are equal when their weights are, however they are evaluated.
+impl PartialEq for Nbrdf {
+    fn eq(&self, other: &Self) -> bool {
+        self.hidden == other.hidden && self.weights == other.weights
+    }
 }
 
 /// Why numbers are not a network.
@@ -108,10 +121,31 @@ impl Nbrdf {
         if weights.len() != expected {
             return Err(NbrdfError::Length { hidden, expected, found: weights.len() });
         }
-        if let Some((index, &value)) = weights.iter().enumerate().find(|(_, w)| !w.is_finite()) {
-            return Err(NbrdfError::NotFinite { index, value });
+        all_finite(&weights)?;
+        Ok(Self::of_valid(hidden, weights))
+    }
+
+    /// Changes all weights and keeps the shape; allocates nothing, unless the
+    /// network was pruned. On an error the network stays as it was.
+    ///
+    /// # Panics
+    /// If there are not as many weights as before (a bug of the caller).
+    pub fn set_weights(&mut self, weights: &[f32]) -> Result<(), NbrdfError> {
+        all_finite(weights)?;
+        self.weights.copy_from_slice(weights);
+        // What could not fire before may fire now.
+        if self.packed.live().is_all(self.hidden) {
+            self.packed.refill(self.hidden, weights);
+        } else {
+            self.packed = Packed::new(self.hidden, weights, Live::all(self.hidden));
         }
-        Ok(Self { hidden, weights })
+        Ok(())
+    }
+
+    /// From weights known to be valid.
+    fn of_valid(hidden: [usize; 2], weights: Vec<f32>) -> Self {
+        let packed = Packed::new(hidden, &weights, Live::all(hidden));
+        Self { hidden, weights, packed }
     }
 
     /// Hidden widths.
@@ -129,6 +163,14 @@ impl Nbrdf {
         self.weights
     }
 
+    /// f_r as [`eval_into`](Brdf::eval_into) gives it, with vectors of a given kind: for comparing them.
+    ///
+    /// # Panics
+    /// If `at` and `out` differ in length (a bug of the caller).
+    pub fn eval_with(&self, set: InstructionSet, at: &[Directions], out: &mut [Rgb]) {
+        kernel::forward(set, &self.packed, Sign::Clamped, at, out);
+    }
+
     /// Where each array lies in [`weights`](Self::weights).
     pub fn layout(&self) -> Layout {
         Layout::new(self.hidden)
@@ -143,13 +185,21 @@ impl Brdf for Nbrdf {
     }
 
     fn eval_into(&self, at: &[Directions], out: &mut [Rgb]) {
-        self.eval_signed_into(at, out);
-        for value in out {
-            *value = value.map(|v| v.max(0.0));
-        }
+        kernel::forward(InstructionSet::fastest(), &self.packed, Sign::Clamped, at, out);
+    }
+
+    fn eval_prepared(&self, at: &Prepared, out: &mut [Rgb]) {
+        kernel::forward_blocks(InstructionSet::fastest(), &self.packed, Sign::Clamped, at.blocks(), out);
     }
 
     fn eval_signed_into(&self, at: &[Directions], out: &mut [Rgb]) {
-        kernel::forward(self, at, out);
+        kernel::forward(InstructionSet::fastest(), &self.packed, Sign::Kept, at, out);
+    }
+}
+
+fn all_finite(weights: &[f32]) -> Result<(), NbrdfError> {
+    match weights.iter().enumerate().find(|(_, w)| !w.is_finite()) {
+        Some((index, &value)) => Err(NbrdfError::NotFinite { index, value }),
+        None => Ok(()),
     }
 }

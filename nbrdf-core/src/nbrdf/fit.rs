@@ -76,15 +76,15 @@ pub fn fit(start: &Nbrdf, target: &dyn Brdf, options: FitOptions, cancelled: &dy
         }
         let samples = Samples::random(&mut rng, SampleCounts::STEP);
         let wanted = features(&samples, &samples.values(target));
-        values.resize(samples.inputs.len(), Rgb::BLACK);
+        values.resize(samples.at.len(), Rgb::BLACK);
         by_value.resize(values.len(), Rgb::BLACK);
         own.resize(wanted.len(), 0.0);
         by_feature.resize(wanted.len(), 0.0);
-        network.forward(&weights, &samples.inputs, &mut values);
+        network.forward(&weights, &samples.at, &mut values);
         features_into(&samples, &values, &mut own);
         Objective::FIT.loss(&samples, &own, &wanted, &mut by_feature);
         pull_back(&samples, &values, &own, &by_feature, &mut by_value);
-        network.backward(&weights, &by_value, &mut gradient);
+        network.backward(&weights, &samples.at, &by_value, &mut gradient);
         for ((g, w), s) in gradient.iter_mut().zip(&weights).zip(start.weights()) {
             *g += options.proximity * (w - s);
         }
@@ -110,8 +110,7 @@ pub fn fit_all(
 
 /// A network of the published shape with random weights.
 pub fn random_network(seed: u64, stream: u64) -> Nbrdf {
-    let weights = random_start(&mut generator(seed, stream), PUBLISHED_HIDDEN);
-    Nbrdf { hidden: PUBLISHED_HIDDEN, weights }
+    Nbrdf::of_valid(PUBLISHED_HIDDEN, random_start(&mut generator(seed, stream), PUBLISHED_HIDDEN))
 }
 
 /// Learning rate that falls from `rate` to zero along half a cosine.

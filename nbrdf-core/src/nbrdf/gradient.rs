@@ -1,61 +1,115 @@
 //! Gradient of any loss on reflectance values with respect to the weights, by hand-written back-propagation.
 //!
-//! Fitting a network, refining a code and training the autoencoder all stand on this one pass.
+//! Fitting a network and training the autoencoder stand on this one pass.
 
-use pulp::{Arch, Simd, WithSimd};
+use pulp::{Simd, WithSimd};
 
-use super::kernel::{Activations, LANES, Lanes, Weights, load, vectors};
+use super::kernel::dense::{dense, pack};
+use super::kernel::outer::{Partial, accumulate};
+use super::kernel::{Activations, Block, InstructionSet, LANES, Lanes, Live, ORDER, Packed};
 use super::{INPUTS, Layout, weight_count};
-use crate::{HalfDiff, Rgb};
+use crate::Rgb;
+use crate::brdf::Prepared;
 
-/// Partial sums per weight: half a block, so that all of them stay in the first-level cache.
-const PARTIAL: usize = LANES / 2;
+/// Blocks back-propagated together: their derivatives stay in the first-level cache.
+const GROUP: usize = 4;
 
 /// Evaluates a network and back-propagates; reusable, so that a fit allocates nothing per step.
 pub struct Backpropagation {
     hidden: [usize; 2],
+    packed: Packed,
+    /// Kernels of the last two layers the other way round, packed.
+    transposed: [Vec<f32>; 2],
     blocks: Vec<Activations>,
-    partial: Vec<[f32; PARTIAL]>,
+    derivatives: [Derivatives; GROUP],
+    partial: Vec<Partial>,
+}
+
+/// ∂loss of one block by what enters the activations.
+#[derive(Clone, Debug)]
+struct Derivatives {
+    first: Vec<Lanes>,
+    second: Vec<Lanes>,
+    output: [Lanes; 3],
 }
 
 impl Backpropagation {
     /// For networks of these hidden widths.
     pub fn new(hidden: [usize; 2]) -> Self {
-        Self { hidden, blocks: Vec::new(), partial: vec![[0.0; PARTIAL]; weight_count(hidden)] }
+        let [first, second] = hidden.map(|width| vec![Lanes::ZERO; width]);
+        let derivatives = Derivatives { first, second, output: [Lanes::ZERO; 3] };
+        Self {
+            hidden,
+            packed: Packed::new(hidden, &vec![0.0; weight_count(hidden)], Live::all(hidden)),
+            transposed: [Vec::new(), Vec::new()],
+            blocks: Vec::new(),
+            derivatives: std::array::from_fn(|_| derivatives.clone()),
+            partial: vec![Partial::ZERO; weight_count(hidden)],
+        }
     }
 
-    /// f_r before the clamp at zero, for every pair of directions; keeps what [`backward`](Self::backward) needs.
+    /// f_r before the clamp at zero, for every pair of directions (also those below the horizon); keeps what
+    /// [`backward`](Self::backward) needs.
     ///
     /// # Panics
     /// If the lengths of `weights` or `out` do not fit (a bug of the caller).
-    pub fn forward(&mut self, weights: &[f32], at: &[HalfDiff], out: &mut [Rgb]) {
+    pub fn forward(&mut self, weights: &[f32], at: &Prepared, out: &mut [Rgb]) {
         assert_eq!(weights.len(), weight_count(self.hidden), "weights of this shape");
         assert_eq!(at.len(), out.len(), "one output per pair of directions");
-        let hidden = self.hidden;
-        self.blocks.resize_with(at.len().div_ceil(LANES), || Activations::new(hidden));
-        let net = Weights { hidden, flat: weights };
-        Arch::new().dispatch(Forward { net, at, out, blocks: &mut self.blocks });
+        self.packed.refill(self.hidden, weights);
+        self.blocks.resize(at.blocks().len(), Activations::EMPTY);
+        self.blocks.iter_mut().for_each(|block| block.resize(self.hidden));
+        let Self { packed, blocks, .. } = self;
+        InstructionSet::fastest().run(Forward { network: packed, at: at.blocks(), out, blocks });
     }
 
     /// ∂loss/∂weights from ∂loss/∂f at the directions of the last [`forward`](Self::forward), written to `gradient`.
     ///
     /// # Panics
     /// If the lengths do not fit (a bug of the caller).
-    pub fn backward(&mut self, weights: &[f32], loss_by_value: &[Rgb], gradient: &mut [f32]) {
+    pub fn backward(&mut self, weights: &[f32], at: &Prepared, loss_by_value: &[Rgb], gradient: &mut [f32]) {
         assert_eq!(weights.len(), gradient.len(), "one derivative per weight");
-        assert_eq!(self.blocks.len(), loss_by_value.len().div_ceil(LANES), "as many values as directions");
-        let net = Weights { hidden: self.hidden, flat: weights };
-        self.partial.fill([0.0; PARTIAL]);
-        Arch::new().dispatch(Backward { net, loss_by_value, blocks: &self.blocks, partial: &mut self.partial });
-        for (sum, partial) in gradient.iter_mut().zip(&self.partial) {
-            *sum = partial.iter().sum();
+        assert_eq!(at.len(), loss_by_value.len(), "one derivative per pair of directions");
+        assert_eq!(at.blocks().len(), self.blocks.len(), "the directions of the forward pass");
+        self.transpose(weights);
+        self.partial.fill(Partial::ZERO);
+        let Self { hidden, transposed, blocks, derivatives, partial, .. } = self;
+        let inputs = at.blocks();
+        InstructionSet::fastest().run(Backward {
+            hidden: *hidden,
+            transposed,
+            inputs,
+            loss_by_value,
+            blocks,
+            derivatives,
+            partial,
+        });
+        // The kernel's inputs are in its own order.
+        let width = hidden[0];
+        for (own, &input) in ORDER.iter().enumerate() {
+            let sums = &self.partial[own * width..][..width];
+            gradient[input * width..][..width].iter_mut().zip(sums).for_each(|(g, sum)| *g = sum.sum());
+        }
+        let rest = INPUTS * width;
+        gradient[rest..].iter_mut().zip(&self.partial[rest..]).for_each(|(g, sum)| *g = sum.sum());
+    }
+
+    fn transpose(&mut self, weights: &[f32]) {
+        let [_, second, third] = Layout::new(self.hidden).layers;
+        let [first, other] = &self.packed.live().units;
+        let units = [&first[..], other, &[0, 1, 2]];
+        for (layer, (kernel, bias)) in [second, third].into_iter().enumerate() {
+            let (kernel, columns) = (&weights[kernel], bias.len());
+            self.transposed[layer].clear();
+            let weight = |column: usize, row: usize| kernel[row * columns + column];
+            pack(units[layer + 1], units[layer], weight, |_| 0.0, &mut self.transposed[layer]);
         }
     }
 }
 
 struct Forward<'a> {
-    net: Weights<'a>,
-    at: &'a [HalfDiff],
+    network: &'a Packed,
+    at: &'a [Block],
     out: &'a mut [Rgb],
     blocks: &'a mut [Activations],
 }
@@ -65,21 +119,23 @@ impl WithSimd for Forward<'_> {
 
     #[inline(always)]
     fn with_simd<S: Simd>(self, simd: S) {
-        for ((at, out), block) in self.at.chunks(LANES).zip(self.out.chunks_mut(LANES)).zip(self.blocks) {
-            load(at, &mut block.input);
-            block.forward(simd, self.net);
+        for ((at, out), block) in self.at.iter().zip(self.out.chunks_mut(LANES)).zip(self.blocks) {
+            block.forward(simd, self.network, &at.inputs);
             for (lane, out) in out.iter_mut().enumerate() {
-                *out = Rgb(block.output.map(|y| y[lane]));
+                *out = Rgb([0, 1, 2].map(|channel| block.output[channel].0[lane]));
             }
         }
     }
 }
 
 struct Backward<'a> {
-    net: Weights<'a>,
+    hidden: [usize; 2],
+    transposed: &'a [Vec<f32>; 2],
+    inputs: &'a [Block],
     loss_by_value: &'a [Rgb],
     blocks: &'a [Activations],
-    partial: &'a mut [[f32; PARTIAL]],
+    derivatives: &'a mut [Derivatives; GROUP],
+    partial: &'a mut [Partial],
 }
 
 impl WithSimd for Backward<'_> {
@@ -87,76 +143,54 @@ impl WithSimd for Backward<'_> {
 
     #[inline(always)]
     fn with_simd<S: Simd>(self, simd: S) {
-        let [(k1, b1), (k2, b2), (k3, b3)] = Layout::new(self.net.hidden).layers;
-        let w = self.net.flat;
-        let zero = [0.0; LANES];
-        let (mut by_first, mut by_second) = (vec![zero; self.net.hidden[0]], vec![zero; self.net.hidden[1]]);
-        for (block, loss_by_value) in self.blocks.iter().zip(self.loss_by_value.chunks(LANES)) {
-            let mut by_output = [zero; 3];
-            for (lane, value) in loss_by_value.iter().enumerate() {
-                for channel in 0..3 {
-                    // d(exp(y) − 1)/dy = f + 1
-                    by_output[channel][lane] = value[channel] * (block.output[channel][lane] + 1.0);
+        let layers = Layout::new(self.hidden).layers;
+        let groups = self.blocks.chunks(GROUP).zip(self.inputs.chunks(GROUP));
+        for ((blocks, inputs), by_value) in groups.zip(self.loss_by_value.chunks(GROUP * LANES)) {
+            let by = &mut self.derivatives[..blocks.len()];
+            for ((by, block), by_value) in by.iter_mut().zip(blocks).zip(by_value.chunks(LANES)) {
+                by.output = [Lanes::ZERO; 3];
+                for (lane, value) in by_value.iter().enumerate() {
+                    for channel in 0..3 {
+                        // d(exp(y) − 1)/dy = f + 1
+                        by.output[channel].0[lane] = value[channel] * (block.output[channel].0[lane] + 1.0);
+                    }
                 }
+                dense::<S, false>(simd, &by.output, &self.transposed[1], &mut by.second);
+                through_relu(simd, &block.second, &mut by.second);
+                dense::<S, false>(simd, &by.second, &self.transposed[0], &mut by.first);
+                through_relu(simd, &block.first, &mut by.first);
             }
-            accumulate(simd, &block.second, &by_output, self.partial, k3.start, b3.start);
-            transposed(simd, &by_output, &w[k3.clone()], &block.second, &mut by_second);
-            accumulate(simd, &block.first, &by_second, self.partial, k2.start, b2.start);
-            transposed(simd, &by_second, &w[k2.clone()], &block.first, &mut by_first);
-            accumulate(simd, &block.input, &by_first, self.partial, k1.start, b1.start);
+            let (by, count) = (&*by, blocks.len());
+            let [by_first, by_second] = [rows(by, |by| &by.first), rows(by, |by| &by.second)];
+            let [first, second] = [rows(blocks, |block| &block.first), rows(blocks, |block| &block.second)];
+            let by_output = rows(by, |by| &by.output);
+            let inputs = rows(inputs, |block| &block.inputs);
+            for ((input, by_output), (kernel, bias)) in
+                [(inputs, by_first), (first, by_second), (second, by_output)].into_iter().zip(layers.clone())
+            {
+                let sums = &mut self.partial[kernel.start..bias.end];
+                accumulate(simd, &input[..count], &by_output[..count], bias.len(), sums);
+            }
         }
-        debug_assert_eq!(k1.len(), INPUTS * self.net.hidden[0]);
     }
 }
 
-/// ∂loss/∂input through a dense layer and the relu before it.
+/// One list of rows for each block of a group; a group that is not full repeats its last.
 #[inline(always)]
-fn transposed<S: Simd>(simd: S, by_output: &[Lanes], kernel: &[f32], input: &[Lanes], by_input: &mut [Lanes]) {
-    for ((row, input), by_input) in kernel.chunks_exact(by_output.len()).zip(input).zip(by_input) {
-        let (input, by_input) = (vectors::<S>(input), S::as_mut_simd_f32s(by_input).0);
-        for pair in 0..LANES / (2 * S::F32_LANES) {
-            let (low, high) = (2 * pair, 2 * pair + 1);
-            let mut sums = [simd.splat_f32s(0.0); 2];
-            for (&w, by_output) in row.iter().zip(by_output) {
-                let (w, by_output) = (simd.splat_f32s(w), vectors::<S>(by_output));
-                sums[0] = simd.mul_add_e_f32s(w, by_output[low], sums[0]);
-                sums[1] = simd.mul_add_e_f32s(w, by_output[high], sums[1]);
-            }
-            for (at, sum) in [low, high].into_iter().zip(sums) {
-                let zero = simd.splat_f32s(0.0);
-                by_input[at] = simd.select_f32s(simd.greater_than_f32s(input[at], zero), sum, zero);
-            }
-        }
-    }
+fn rows<'a, T>(blocks: &'a [T], of: impl Fn(&'a T) -> &'a [Lanes]) -> [&'a [Lanes]; GROUP] {
+    std::array::from_fn(|i| of(&blocks[i.min(blocks.len() - 1)]))
 }
 
-/// Adds one block's share of ∂loss/∂kernel and ∂loss/∂bias; vectors of a block fold onto the partial sums.
+/// Derivatives pass where the unit fired.
 #[inline(always)]
-fn accumulate<S: Simd>(
-    simd: S,
-    input: &[Lanes],
-    by_output: &[Lanes],
-    partial: &mut [[f32; PARTIAL]],
-    kernel: usize,
-    bias: usize,
-) {
-    let width = by_output.len();
-    for (x, row) in input.iter().zip(partial[kernel..].chunks_exact_mut(width)) {
-        let (low, high) = vectors::<S>(x).split_at(PARTIAL / S::F32_LANES);
-        for (sum, d) in row.iter_mut().zip(by_output) {
-            let d = vectors::<S>(d).split_at(PARTIAL / S::F32_LANES);
-            for (at, sum) in S::as_mut_simd_f32s(sum).0.iter_mut().enumerate() {
-                *sum = simd.mul_add_e_f32s(high[at], d.1[at], simd.mul_add_e_f32s(low[at], d.0[at], *sum));
-            }
-        }
-    }
-    for (sum, d) in partial[bias..].iter_mut().zip(by_output) {
-        for lane in 0..PARTIAL {
-            sum[lane] += d[lane] + d[lane + PARTIAL];
+fn through_relu<S: Simd>(simd: S, activations: &[Lanes], derivatives: &mut [Lanes]) {
+    let zero = simd.splat_f32s(0.0);
+    for (activation, derivative) in activations.iter().zip(derivatives) {
+        for (a, d) in activation.vectors::<S>().iter().zip(derivative.vectors_mut::<S>()) {
+            *d = simd.select_f32s(simd.greater_than_f32s(*a, zero), *d, zero);
         }
     }
 }
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -172,9 +206,9 @@ mod tests {
     }
 
     fn loss(network: &Nbrdf, samples: &Samples, wanted: &[f32]) -> f64 {
-        let mut values = vec![Rgb::BLACK; samples.inputs.len()];
+        let mut values = vec![Rgb::BLACK; samples.at.len()];
         let mut pass = Backpropagation::new(network.hidden());
-        pass.forward(network.weights(), &samples.inputs, &mut values);
+        pass.forward(network.weights(), &samples.at, &mut values);
         let own = features(samples, &values);
         Objective::FIT.loss(samples, &own, wanted, &mut vec![0.0; own.len()])
     }
@@ -182,15 +216,15 @@ mod tests {
     #[test]
     fn forward_agrees_with_the_plain_loop_in_f64() {
         let (network, samples) = (random_network(1, 0), samples());
-        let mut values = vec![Rgb::BLACK; samples.inputs.len()];
-        Backpropagation::new(network.hidden()).forward(network.weights(), &samples.inputs, &mut values);
-        for (at, value) in samples.inputs.iter().zip(&values) {
-            for (own, plain) in value.0.into_iter().zip(forward_plainly(&network, *at)) {
+        let mut values = vec![Rgb::BLACK; samples.at.len()];
+        Backpropagation::new(network.hidden()).forward(network.weights(), &samples.at, &mut values);
+        for (at, value) in samples.at.directions().iter().zip(&values) {
+            for (own, plain) in value.0.into_iter().zip(forward_plainly(&network, at.half_diff())) {
                 assert!((f64::from(own) - plain).abs() <= 2e-6 * (1.0 + plain.abs()), "{own} {plain}");
             }
         }
         let mut evaluated = vec![Rgb::BLACK; values.len()];
-        network.eval_signed_into(&samples.directions, &mut evaluated);
+        network.eval_signed_into(samples.at.directions(), &mut evaluated);
         for (a, b) in values.iter().zip(&evaluated) {
             assert!(a.zip(*b, |a, b| (a - b).abs()).max() < 1e-5);
         }
@@ -200,9 +234,9 @@ mod tests {
     fn gradient_agrees_with_finite_differences() {
         let (network, target, samples) = (random_network(1, 0), random_network(2, 0), samples());
         let wanted = features(&samples, &samples.values(&target));
-        let mut values = vec![Rgb::BLACK; samples.inputs.len()];
+        let mut values = vec![Rgb::BLACK; samples.at.len()];
         let mut pass = Backpropagation::new(network.hidden());
-        pass.forward(network.weights(), &samples.inputs, &mut values);
+        pass.forward(network.weights(), &samples.at, &mut values);
         let mut own = vec![0.0; wanted.len()];
         features_into(&samples, &values, &mut own);
         let mut by_feature = vec![0.0; own.len()];
@@ -210,7 +244,8 @@ mod tests {
         let mut by_value = vec![Rgb::BLACK; values.len()];
         pull_back(&samples, &values, &own, &by_feature, &mut by_value);
         let mut gradient = vec![0.0; network.weights().len()];
-        pass.backward(network.weights(), &by_value, &mut gradient);
+        pass.backward(network.weights(), &samples.at, &by_value, &mut gradient);
+        assert!(gradient.iter().all(|g| g.is_finite()));
         let largest = gradient.iter().fold(0.0f32, |max, g| max.max(g.abs()));
         // The loss has kinks (relu, absolute values), so a few weights may disagree; a wrong term would disagree in many.
         let mut wrong = 0;

@@ -1,36 +1,35 @@
-//! Forward pass over blocks of directions, vectorized by the compiler for the widest instruction set at hand.
+//! Forward pass over blocks of directions.
 //!
-//! Lanes are directions: one weight is broadcast to a whole block, so that no shuffle is needed. `pulp` picks the
-//! instruction set at run time and keeps this file free of `unsafe`.
+//! The weights are packed in the order of the loops, activations stay in the first-level cache, and directions become
+//! network inputs in the same blocks. Every lane sees the same operations in the same order whatever the width of the
+//! vectors: AVX2, AVX-512 and NEON give the same bits, the portable path (no fused multiply-add) differs in the last.
 
+pub(crate) mod dense;
 mod exponential;
-mod input;
+mod half_diff;
+mod instruction_set;
+mod lanes;
+pub(crate) mod outer;
+mod packed;
 
-use pulp::{Arch, Simd, WithSimd};
+use std::cell::RefCell;
 
-use super::{INPUTS, Layout, Nbrdf};
+use pulp::{Simd, WithSimd};
+
+use super::INPUTS;
 use crate::{Directions, Rgb};
+use dense::dense;
 use exponential::exp_minus_one;
-use input::convert;
-pub(crate) use input::load;
 
-/// Directions per block.
-pub(crate) const LANES: usize = 16;
-/// One number for each direction of a block.
-pub(crate) type Lanes = [f32; LANES];
-/// Outputs computed together, so that one load of the inputs serves several sums.
-const TILE: usize = 3;
-
-/// A network as the loops want it: weights and where they lie.
-#[derive(Clone, Copy)]
-pub(crate) struct Weights<'a> {
-    pub hidden: [usize; 2],
-    pub flat: &'a [f32],
-}
+pub(crate) use half_diff::{Block, ORDER};
+pub use instruction_set::InstructionSet;
+pub(crate) use lanes::{LANES, Lanes};
+pub use packed::Live;
+pub(crate) use packed::Packed;
 
 /// The activations of one block.
+#[derive(Clone, Debug)]
 pub(crate) struct Activations {
-    pub input: [Lanes; INPUTS],
     pub first: Vec<Lanes>,
     pub second: Vec<Lanes>,
     /// exp(y) − 1, not clamped.
@@ -38,115 +37,159 @@ pub(crate) struct Activations {
 }
 
 impl Activations {
-    pub fn new([first, second]: [usize; 2]) -> Self {
-        let zero = [0.0; LANES];
-        Self { input: [zero; INPUTS], first: vec![zero; first], second: vec![zero; second], output: [zero; 3] }
+    pub const EMPTY: Self = Self { first: Vec::new(), second: Vec::new(), output: [Lanes::ZERO; 3] };
+
+    /// For these hidden widths; allocates only where more are needed than ever before.
+    pub fn resize(&mut self, [first, second]: [usize; 2]) {
+        self.first.resize(first, Lanes::ZERO);
+        self.second.resize(second, Lanes::ZERO);
     }
 
-    /// Fills `output` from `input`.
+    /// All three layers; the widths must be those of the network.
     #[inline(always)]
-    pub fn forward<S: Simd>(&mut self, simd: S, net: Weights) {
-        let [(k1, b1), (k2, b2), (k3, b3)] = Layout::new(net.hidden).layers;
-        let w = net.flat;
-        dense::<S, true>(simd, &self.input, &w[k1], &w[b1], &mut self.first);
-        dense::<S, true>(simd, &self.first, &w[k2], &w[b2], &mut self.second);
-        dense::<S, false>(simd, &self.second, &w[k3], &w[b3], &mut self.output);
-        for y in &mut self.output {
-            for y in y {
-                *y = exp_minus_one::<S>(*y);
+    pub fn forward<S: Simd>(&mut self, simd: S, network: &Packed, inputs: &[Lanes; INPUTS]) {
+        let weights = network.weights();
+        let weights = dense::<S, true>(simd, &inputs[..network.live().inputs()], weights, &mut self.first);
+        let weights = dense::<S, true>(simd, &self.first, weights, &mut self.second);
+        dense::<S, false>(simd, &self.second, weights, &mut self.output);
+        for lanes in &mut self.output {
+            for y in lanes.vectors_mut::<S>() {
+                *y = exp_minus_one(simd, *y);
+            }
+        }
+    }
+
+    /// The first lanes, black where a direction is below the surface.
+    #[inline(always)]
+    fn store<S: Simd>(&mut self, simd: S, above: u32, sign: Sign, out: &mut [Rgb]) {
+        if sign == Sign::Clamped {
+            let zero = simd.splat_f32s(0.0);
+            // Plain loops: a closure in an iterator's adapter may be compiled without the vectors.
+            for lanes in &mut self.output {
+                for f in lanes.vectors_mut::<S>() {
+                    *f = simd.max_f32s(*f, zero);
+                }
+            }
+        }
+        let [r, g, b] = &self.output;
+        let value = |lane: usize| Rgb([r.0[lane], g.0[lane], b.0[lane]]);
+        match (above, <&mut [Rgb; LANES]>::try_from(&mut *out)) {
+            (u32::MAX, Ok(out)) => out.iter_mut().enumerate().for_each(|(lane, out)| *out = value(lane)),
+            _ => {
+                for (lane, out) in out.iter_mut().enumerate() {
+                    *out = if (above >> lane) & 1 == 1 { value(lane) } else { Rgb::BLACK };
+                }
             }
         }
     }
 }
 
-/// A block as vectors of the processor.
-#[inline(always)]
-pub(crate) fn vectors<S: Simd>(lanes: &Lanes) -> &[S::f32s] {
-    S::as_simd_f32s(lanes).0
+thread_local! {
+    /// Each thread's activations: evaluation allocates nothing.
+    static SCRATCH: RefCell<Activations> = const { RefCell::new(Activations::EMPTY) };
 }
 
-/// `out[j] = bias[j] + Σ_i input[i] · kernel[i][j]`, then relu if asked for.
-///
-/// Two vectors of directions times three outputs are summed at once: six sums, two inputs and a weight fit the
-/// sixteen registers of AVX2.
-#[inline(always)]
-fn dense<S: Simd, const RELU: bool>(simd: S, input: &[Lanes], kernel: &[f32], bias: &[f32], out: &mut [Lanes]) {
-    let width = out.len();
-    let whole = width - width % TILE;
-    for pair in 0..LANES / (2 * S::F32_LANES) {
-        for start in (0..whole).step_by(TILE) {
-            tile::<S, TILE, RELU>(simd, input, &kernel[start..], &bias[start..], &mut out[start..], width, pair);
-        }
-        for start in whole..width {
-            tile::<S, 1, RELU>(simd, input, &kernel[start..], &bias[start..], &mut out[start..], width, pair);
-        }
-    }
+/// What becomes of values below 0.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Sign {
+    /// They stay.
+    Kept,
+    /// They become 0.
+    Clamped,
 }
 
-/// `N` outputs for the two vectors `2 pair` and `2 pair + 1` of the block.
-#[inline(always)]
-fn tile<S: Simd, const N: usize, const RELU: bool>(
-    simd: S,
-    input: &[Lanes],
-    kernel: &[f32],
-    bias: &[f32],
-    out: &mut [Lanes],
-    width: usize,
-    pair: usize,
-) {
-    let mut sums = [[simd.splat_f32s(0.0); 2]; N];
-    for (sum, &bias) in sums.iter_mut().zip(bias) {
-        *sum = [simd.splat_f32s(bias); 2];
-    }
-    for (x, row) in input.iter().zip(kernel.chunks(width)) {
-        let x = vectors::<S>(x);
-        let (low, high) = (x[2 * pair], x[2 * pair + 1]);
-        for (sum, &w) in sums.iter_mut().zip(&row[..N]) {
-            let w = simd.splat_f32s(w);
-            sum[0] = simd.mul_add_e_f32s(w, low, sum[0]);
-            sum[1] = simd.mul_add_e_f32s(w, high, sum[1]);
-        }
-    }
-    for (out, sum) in out.iter_mut().zip(sums) {
-        let out = S::as_mut_simd_f32s(out).0;
-        for (half, sum) in sum.into_iter().enumerate() {
-            out[2 * pair + half] = if RELU { simd.max_f32s(sum, simd.splat_f32s(0.0)) } else { sum };
-        }
-    }
-}
-
-struct Evaluate<'a> {
-    net: Weights<'a>,
+struct FromDirections<'a> {
+    network: &'a Packed,
     at: &'a [Directions],
+    sign: Sign,
     out: &'a mut [Rgb],
+    activations: &'a mut Activations,
 }
 
-impl WithSimd for Evaluate<'_> {
+impl WithSimd for FromDirections<'_> {
     type Output = ();
 
     #[inline(always)]
     fn with_simd<S: Simd>(self, simd: S) {
-        let mut activations = Activations::new(self.net.hidden);
+        let mut block = Block::EMPTY;
         for (at, out) in self.at.chunks(LANES).zip(self.out.chunks_mut(LANES)) {
-            convert(at, &mut activations.input);
-            activations.forward(simd, self.net);
-            for (lane, (at, out)) in at.iter().zip(out).enumerate() {
-                *out = if at.is_above() { Rgb(activations.output.map(|y| y[lane])) } else { Rgb::BLACK };
-            }
+            block.fill(simd, at);
+            self.activations.forward(simd, self.network, &block.inputs);
+            self.activations.store(simd, block.above, self.sign, out);
         }
     }
 }
 
-/// exp(y) − 1, not clamped, for every pair of directions; zero below the horizon.
-pub(super) fn forward(network: &Nbrdf, at: &[Directions], out: &mut [Rgb]) {
+struct FromBlocks<'a> {
+    network: &'a Packed,
+    blocks: &'a [Block],
+    sign: Sign,
+    out: &'a mut [Rgb],
+    activations: &'a mut Activations,
+}
+
+impl WithSimd for FromBlocks<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, simd: S) {
+        for (block, out) in self.blocks.iter().zip(self.out.chunks_mut(LANES)) {
+            self.activations.forward(simd, self.network, &block.inputs);
+            self.activations.store(simd, block.above, self.sign, out);
+        }
+    }
+}
+
+/// exp(y) − 1 for every pair of directions; zero below the horizon.
+///
+/// # Panics
+/// If `at` and `out` differ in length (a bug of the caller).
+pub(crate) fn forward(set: InstructionSet, network: &Packed, sign: Sign, at: &[Directions], out: &mut [Rgb]) {
     assert_eq!(at.len(), out.len(), "one output per pair of directions");
-    let net = Weights { hidden: network.hidden, flat: &network.weights };
-    Arch::new().dispatch(Evaluate { net, at, out });
+    SCRATCH.with_borrow_mut(|activations| {
+        activations.resize(network.hidden());
+        set.run(FromDirections { network, at, sign, out, activations });
+    });
+}
+
+/// As [`forward`], from blocks of prepared pairs, the last of which may not be full.
+///
+/// # Panics
+/// If there are not as many blocks as `out` needs (a bug of the caller).
+pub(crate) fn forward_blocks(set: InstructionSet, network: &Packed, sign: Sign, blocks: &[Block], out: &mut [Rgb]) {
+    assert_eq!(blocks.len(), out.len().div_ceil(LANES), "one output per pair of directions");
+    SCRATCH.with_borrow_mut(|activations| {
+        activations.resize(network.hidden());
+        set.run(FromBlocks { network, blocks, sign, out, activations });
+    });
+}
+
+struct Prepare<'a> {
+    at: &'a [Directions],
+    blocks: &'a mut [Block],
+}
+
+impl WithSimd for Prepare<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, simd: S) {
+        for (at, block) in self.at.chunks(LANES).zip(self.blocks) {
+            block.fill(simd, at);
+        }
+    }
+}
+
+/// Pairs of directions as network inputs.
+pub(crate) fn blocks(at: &[Directions]) -> Vec<Block> {
+    let mut blocks = vec![Block::EMPTY; at.len().div_ceil(LANES)];
+    InstructionSet::fastest().run(Prepare { at, blocks: &mut blocks });
+    blocks
 }
 
 /// The slow, obvious loop in f64 that the kernel is tested against.
 #[cfg(test)]
-pub(crate) fn forward_plainly(network: &Nbrdf, crate::HalfDiff { half, diff }: crate::HalfDiff) -> [f64; 3] {
+pub(crate) fn forward_plainly(network: &super::Nbrdf, crate::HalfDiff { half, diff }: crate::HalfDiff) -> [f64; 3] {
     let layers = network.layout().layers;
     let crate::Vec3 { x, y, z } = half;
     let mut values = [x, y, z, diff.x, diff.y, diff.z].map(f64::from).to_vec();
@@ -164,16 +207,4 @@ pub(crate) fn forward_plainly(network: &Nbrdf, crate::HalfDiff { half, diff }: c
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::{Brdf, Vec3};
-
-    #[test]
-    fn directions_below_the_horizon_and_nan_give_black() {
-        let network = crate::nbrdf::fit::random_network(0, 0);
-        let below = Directions::new(Vec3::new(0.6, 0.0, -0.8), Vec3::Z);
-        let nan = Directions::new(Vec3::new(f32::NAN, 0.0, f32::NAN), Vec3::Z);
-        assert_eq!(network.eval(below), Rgb::BLACK);
-        assert_eq!(network.eval(nan), Rgb::BLACK);
-    }
-}
+mod tests;

@@ -2,8 +2,9 @@
 
 use rand::{Rng, RngExt};
 
+use crate::brdf::Prepared;
 use crate::direction::spherical;
-use crate::{Brdf, Directions, HalfDiff, Rgb, Vec3};
+use crate::{Brdf, Directions, Rgb, Vec3};
 
 /// How many samples of each kind.
 #[derive(Clone, Copy, Debug)]
@@ -35,9 +36,7 @@ pub struct Samples {
     /// How many of each kind.
     pub counts: SampleCounts,
     /// Light and view of every sample.
-    pub directions: Vec<Directions>,
-    /// The same as network inputs.
-    pub inputs: Vec<HalfDiff>,
+    pub at: Prepared,
     /// cos θ_i; for a pixel's lamp also times its irradiance.
     pub factors: Vec<f32>,
 }
@@ -93,20 +92,19 @@ impl Samples {
     }
 
     fn new(counts: SampleCounts, directions: Vec<Directions>, factors: Vec<f32>) -> Self {
-        let inputs = directions.iter().map(|at| at.half_diff()).collect();
-        Self { counts, directions, inputs, factors }
+        Self { counts, at: Prepared::new(directions), factors }
     }
 
     /// The reflectance at every sample.
     pub fn values(&self, brdf: &dyn Brdf) -> Vec<Rgb> {
-        let mut values = vec![Rgb::BLACK; self.directions.len()];
-        brdf.eval_into(&self.directions, &mut values);
+        let mut values = vec![Rgb::BLACK; self.at.len()];
+        brdf.eval_prepared(&self.at, &mut values);
         values
     }
 }
 
 /// A pair uniform in θ_half, θ_diff, φ_diff; it may lie below the horizon.
-fn random_directions(rng: &mut impl Rng) -> Directions {
+pub(crate) fn random_directions(rng: &mut impl Rng) -> Directions {
     use std::f32::consts::{FRAC_PI_2, TAU};
     crate::Rusinkiewicz {
         theta_half: rng.random_range(0.0..FRAC_PI_2),

@@ -4,7 +4,7 @@
 use pathfinding::kuhn_munkres::kuhn_munkres;
 use pathfinding::matrix::Matrix;
 
-use super::kernel::{Activations, LANES, Weights, load};
+use super::kernel::{Activations, LANES, Live, Packed};
 use super::samples::{SampleCounts, Samples};
 use super::{INPUTS, Layout, Nbrdf};
 use crate::nbrdf::fit::generator;
@@ -36,7 +36,7 @@ pub fn permute(network: &Nbrdf, order: [&[usize]; 2]) -> Nbrdf {
         }
     }
     debug_assert_eq!(b3.end, new.len());
-    Nbrdf { hidden, weights: new }
+    Nbrdf::of_valid(hidden, new)
 }
 
 /// Multiplies what enters each hidden unit by a positive factor and divides what leaves it. The function stays the same.
@@ -59,7 +59,7 @@ pub fn rescale(network: &Nbrdf, factors: [&[f32]; 2]) -> Nbrdf {
         (0..hidden[0]).for_each(|row| weights[k2.start + row * hidden[1] + unit] *= factor);
         (0..3).for_each(|channel| weights[k3.start + 3 * unit + channel] /= factor);
     }
-    Nbrdf { hidden, weights }
+    Nbrdf::of_valid(hidden, weights)
 }
 
 /// Gives every hidden unit incoming and outgoing weights of equal norm; the function stays the same.
@@ -128,14 +128,14 @@ fn activations(network: &Nbrdf) -> [Vec<Vec<f32>>; 2] {
     let counts = SampleCounts { log: 2048, relative: 0, pixels: 0, lamps: 0 };
     let samples = Samples::random(&mut generator(1, 3), counts);
     let mut units = network.hidden().map(|width| vec![Vec::with_capacity(2048); width]);
-    let mut block = Activations::new(network.hidden());
-    let net = Weights { hidden: network.hidden(), flat: network.weights() };
-    for at in samples.inputs.chunks_exact(LANES) {
-        load(at, &mut block.input);
-        block.forward(pulp::Scalar::new(), net);
+    let mut activations = Activations::EMPTY;
+    activations.resize(network.hidden());
+    let packed = Packed::new(network.hidden(), network.weights(), Live::all(network.hidden()));
+    for block in &samples.at.blocks()[..2048 / LANES] {
+        activations.forward(pulp::Scalar::new(), &packed, &block.inputs);
         let [first, second] = &mut units;
-        first.iter_mut().zip(&block.first).for_each(|(unit, lanes)| unit.extend(lanes));
-        second.iter_mut().zip(&block.second).for_each(|(unit, lanes)| unit.extend(lanes));
+        first.iter_mut().zip(&activations.first).for_each(|(unit, lanes)| unit.extend(lanes.0));
+        second.iter_mut().zip(&activations.second).for_each(|(unit, lanes)| unit.extend(lanes.0));
     }
     units
 }

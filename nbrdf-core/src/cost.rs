@@ -1,0 +1,108 @@
+//! What evaluation costs: nanoseconds, beside the loop that everybody would write first.
+//!
+//! PROTOCOL "Speed": one thread, batches of 4096 random valid directions, conversion to the model's own coordinates
+//! included, median of at least 30 repeats. All models and the reference loop take turns in one run, so that a busy
+//! machine slows all of them alike: the ratio means more than the nanoseconds.
+
+mod peak;
+mod reference_loop;
+
+use std::hint::black_box;
+use std::time::Instant;
+
+pub use peak::peak_fma;
+pub use reference_loop::ReferenceLoop;
+
+use crate::brdf::Prepared;
+use crate::nbrdf::fit::{generator, random_network};
+use crate::nbrdf::samples::random_directions;
+use crate::{Brdf, Directions, Rgb};
+
+/// Directions per batch.
+pub const BATCH: usize = 4096;
+/// Repeats whose median is reported.
+pub const REPEATS: usize = 31;
+/// Floating point operations of a whole published network: a multiplication and an addition per weight.
+pub const NETWORK_FLOP: f64 = 1350.0;
+
+/// From what a model is asked to evaluate.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum From {
+    /// Pairs (ω_i, ω_o).
+    Directions,
+    /// Pairs whose half and difference vectors are known.
+    Prepared,
+}
+
+/// Cost of one evaluation.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Cost {
+    /// Nanoseconds per evaluation, three channels together.
+    pub ns: f64,
+    /// How many times the reference loop of the same run takes as long.
+    pub ratio_to_reference_loop: f64,
+}
+
+/// The same directions for everybody.
+pub struct Track {
+    at: Prepared,
+}
+
+impl Track {
+    /// [`BATCH`] pairs above the surface, uniform in (θ_half, θ_diff, φ_diff).
+    pub fn new(seed: u64) -> Self {
+        let mut rng = generator(seed, 11);
+        let pairs = std::iter::repeat_with(|| random_directions(&mut rng)).filter(|at| at.is_above());
+        Self { at: Prepared::new(pairs.take(BATCH).collect()) }
+    }
+
+    /// The pairs.
+    pub fn directions(&self) -> &[Directions] {
+        self.at.directions()
+    }
+
+    /// The pairs, prepared.
+    pub const fn prepared(&self) -> &Prepared {
+        &self.at
+    }
+
+    /// One batch \[s\].
+    pub fn run(&self, brdf: &dyn Brdf, from: From, out: &mut [Rgb]) -> f64 {
+        let start = Instant::now();
+        match from {
+            From::Directions => brdf.eval_into(black_box(self.at.directions()), out),
+            From::Prepared => brdf.eval_prepared(black_box(&self.at), out),
+        }
+        black_box(&out);
+        start.elapsed().as_secs_f64()
+    }
+
+    /// The cost of every model, beside the reference loop; `repeats` runs each, in turns, after one that is not counted.
+    pub fn measure(&self, models: &[(&dyn Brdf, From)], repeats: usize) -> Vec<Cost> {
+        let reference = ReferenceLoop::new(&random_network(0, 0));
+        let mut out = vec![Rgb::BLACK; BATCH];
+        let mut times = vec![Vec::with_capacity(repeats); models.len() + 1];
+        for repeat in 0..=repeats {
+            let all = std::iter::once((&reference as &dyn Brdf, From::Directions)).chain(models.iter().copied());
+            for ((brdf, from), times) in all.zip(&mut times) {
+                let time = self.run(brdf, from, &mut out);
+                if repeat > 0 {
+                    times.push(time);
+                }
+            }
+        }
+        let ns: Vec<f64> = times.iter_mut().map(|times| median(times) * 1e9 / BATCH as f64).collect();
+        ns[1..].iter().map(|&own| Cost { ns: own, ratio_to_reference_loop: ns[0] / own }).collect()
+    }
+}
+
+/// The middle one; the mean of the two middle ones where there are two.
+fn median(values: &mut [f64]) -> f64 {
+    values.sort_by(f64::total_cmp);
+    let middle = values.len() / 2;
+    match values.len() {
+        0 => f64::NAN,
+        n if n % 2 == 1 => values[middle],
+        _ => 0.5 * (values[middle - 1] + values[middle]),
+    }
+}

@@ -1,0 +1,93 @@
+//! Half and difference vectors of a block, without trigonometry; the same function as [`Directions::half_diff`].
+//!
+//! In f32, yet as accurate as rounding: with s = l + v and c = v × l, every component is a product or quotient of
+//! numbers of small *relative* error, so that nothing cancels near the normal, where glossy networks are steep:
+//!
+//! h = (|s_xy|, 0, s_z) / |s|, d = ((s_x c_y − s_y c_x) / (|s_xy| |s|), c_z / |s_xy|, s · l / |s|).
+
+use pulp::Simd;
+
+use super::INPUTS;
+use super::lanes::{LANES, Lanes};
+use crate::Directions;
+
+/// One block of pairs as network inputs.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Block {
+    /// h.x h.z d.x d.y d.z h.y: what isotropic networks need not read comes last.
+    pub inputs: [Lanes; INPUTS],
+    /// Bit `lane` is set where both directions are above the surface.
+    pub above: u32,
+}
+
+impl Block {
+    pub const EMPTY: Self = Self { inputs: [Lanes::ZERO; INPUTS], above: 0 };
+
+    /// Fills the block from 1 to [`LANES`] pairs; unused lanes repeat the last one, and are not above.
+    #[inline(always)]
+    pub fn fill<S: Simd>(&mut self, simd: S, pairs: &[Directions]) {
+        let [mut lx, mut ly, mut lz, mut vx, mut vy, mut vz] = [Lanes::ZERO; 6];
+        let mut put = |lane: usize, Directions { light, view }: Directions| {
+            (lx.0[lane], ly.0[lane], lz.0[lane]) = light.into();
+            (vx.0[lane], vy.0[lane], vz.0[lane]) = view.into();
+        };
+        match <&[Directions; LANES]>::try_from(pairs) {
+            Ok(full) => full.iter().enumerate().for_each(|(lane, at)| put(lane, *at)),
+            Err(_) => (0..LANES).for_each(|lane| put(lane, pairs[lane.min(pairs.len() - 1)])),
+        }
+        let [h0, h2, d0, d1, d2, _] = &mut self.inputs;
+        let [zero, one] = [0.0, 1.0].map(|v| simd.splat_f32s(v));
+        let mut above = one;
+        for i in 0..LANES / S::F32_LANES {
+            let light = [&lx, &ly, &lz].map(|lanes| lanes.vectors::<S>()[i]);
+            let view = [&vx, &vy, &vz].map(|lanes| lanes.vectors::<S>()[i]);
+            above = simd.select_f32s(simd.greater_than_f32s(light[2], zero), above, zero);
+            above = simd.select_f32s(simd.greater_than_f32s(view[2], zero), above, zero);
+            let [hx, hz, dx, dy, dz] = half_diff(simd, light, view);
+            h0.vectors_mut::<S>()[i] = hx;
+            h2.vectors_mut::<S>()[i] = hz;
+            d0.vectors_mut::<S>()[i] = dx;
+            d1.vectors_mut::<S>()[i] = dy;
+            d2.vectors_mut::<S>()[i] = dz;
+        }
+        let whole = pairs.len() == LANES && simd.reduce_min_f32s(above) > 0.0;
+        self.above = if whole { u32::MAX } else { mask(pairs) };
+    }
+}
+
+/// Bit `lane` is set where both directions are above the surface.
+fn mask(pairs: &[Directions]) -> u32 {
+    pairs.iter().enumerate().fold(0, |mask, (lane, at)| mask | u32::from(at.is_above()) << lane)
+}
+
+/// h.x, h.z, d.x, d.y, d.z; h.y is 0.
+#[inline(always)]
+fn half_diff<S: Simd>(simd: S, [lx, ly, lz]: [S::f32s; 3], [vx, vy, vz]: [S::f32s; 3]) -> [S::f32s; 5] {
+    let mul = |a, b| simd.mul_f32s(a, b);
+    let fma = |a, b, c| simd.mul_add_e_f32s(a, b, c);
+    // a b − c d with the rounding error of c d put back (W. Kahan; Jeannerod, Louvet, Muller 2013, algorithm 1).
+    let difference = |a, b, c, d| {
+        let cd = mul(c, d);
+        let lost = simd.negate_mul_add_e_f32s(c, d, cd);
+        simd.add_f32s(fma(a, b, simd.neg_f32s(cd)), lost)
+    };
+    let [sx, sy, sz] = [simd.add_f32s(lx, vx), simd.add_f32s(ly, vy), simd.add_f32s(lz, vz)];
+    let across2 = fma(sx, sx, mul(sy, sy));
+    let across = simd.sqrt_f32s(across2);
+    let one = simd.splat_f32s(1.0);
+    let inverse = simd.div_f32s(one, simd.sqrt_f32s(fma(sz, sz, across2)));
+    let inverse_across = simd.div_f32s(one, across);
+    let cx = difference(vy, lz, vz, ly);
+    let cy = difference(vz, lx, vx, lz);
+    let cz = difference(vx, ly, vy, lx);
+    let dx = mul(mul(difference(sx, cy, sy, cx), inverse_across), inverse);
+    let dy = mul(cz, inverse_across);
+    let dz = mul(fma(sz, lz, fma(sx, lx, mul(sy, ly))), inverse);
+    // At the normal the azimuth of h is taken as 0. This close to it, l and v are so close that any azimuth would do.
+    let tilted = simd.greater_than_f32s(across2, simd.splat_f32s(1e-30));
+    let (dx, dy) = (simd.select_f32s(tilted, dx, lx), simd.select_f32s(tilted, dy, ly));
+    [mul(across, inverse), mul(sz, inverse), dx, dy, dz]
+}
+
+/// The network input that each of a block's inputs is.
+pub(crate) const ORDER: [usize; INPUTS] = [0, 2, 3, 4, 5, 1];
