@@ -1,19 +1,19 @@
 //! A trained autoencoder as a representation: materials in, 32 numbers, materials out.
 
+use std::cell::Cell;
 use std::path::Path;
 use std::sync::{Arc, OnceLock};
 
-use candle_core::{Device, Tensor};
-use nbrdf_core::nbrdf::PUBLISHED_WEIGHTS;
-use nbrdf_core::nbrdf::fit::generator;
+use nbrdf_core::nbrdf::{PUBLISHED_HIDDEN, PUBLISHED_WEIGHTS};
 use nbrdf_core::representation::pca_weights::network_of;
-use nbrdf_core::representation::{DecodeError, EncodeError};
-use nbrdf_core::{Brdf, Code, Directions, Material, Nbrdf, Representation};
+use nbrdf_core::representation::{DecodeError, EncodeError, Linearized, check_numbers};
+use nbrdf_core::{Brdf, Code, Material, Nbrdf, Representation};
 use serde::{Deserialize, Serialize};
 
 use crate::checkpoint::{Checkpoint, CheckpointError, invalid};
-use crate::model::{DIM, FEATURES, Model, PublishedModel, ZnbrdfModel};
-use crate::probe::{features, probe, probe_directions};
+use crate::inference::{self, Inference};
+use crate::model::DIM;
+use crate::probe::Probes;
 
 /// Which autoencoder.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -41,9 +41,15 @@ impl Architecture {
 /// An autoencoder and its checkpoint's hash.
 pub struct Autoencoder {
     architecture: Architecture,
-    model: Box<dyn Model + Send + Sync>,
-    probes: Vec<Directions>,
+    inference: Box<dyn Inference>,
+    probes: Probes,
+    parameters: usize,
     hash: String,
+}
+
+thread_local! {
+    /// Each thread's decoded weights.
+    static WEIGHTS: Cell<Vec<f32>> = const { Cell::new(Vec::new()) };
 }
 
 impl Autoencoder {
@@ -75,27 +81,21 @@ impl Autoencoder {
         let Some(architecture) = Architecture::ALL.into_iter().find(|architecture| architecture.name() == found) else {
             return Err(invalid(&file.path, "a checkpoint of znbrdf or published_autoencoder".into(), found.into()));
         };
-        let rng = &mut generator(0, 0);
-        let shape = [PUBLISHED_WEIGHTS];
-        let model: Box<dyn Model + Send + Sync> = match architecture {
-            Architecture::Znbrdf => {
-                file.check_probes()?;
-                Box::new(ZnbrdfModel::new(file.tensor("start", &shape)?, file.tensor("spread", &shape)?, rng)?)
-            }
-            Architecture::Published => {
-                Box::new(PublishedModel::new(file.tensor("mean", &shape)?, file.tensor("spread", &shape)?, rng)?)
-            }
-        };
-        file.restore(model.as_ref())?;
-        Ok(Self { hash: file.hash.clone(), ..Self::untrained(architecture, model) })
+        if architecture == Architecture::Znbrdf {
+            file.check_probes()?;
+        }
+        Self::of(architecture, file)
     }
 
-    pub(crate) fn untrained(architecture: Architecture, model: Box<dyn Model + Send + Sync>) -> Self {
-        Self { architecture, model, probes: probe_directions(), hash: "untrained".into() }
-    }
-
-    pub(crate) fn model(&self) -> &dyn Model {
-        self.model.as_ref()
+    /// From the tensors of a file, or of a training under way.
+    pub(crate) fn of(architecture: Architecture, file: &Checkpoint) -> Result<Self, CheckpointError> {
+        Ok(Self {
+            architecture,
+            inference: inference::build(architecture, file)?,
+            probes: Probes::new(),
+            parameters: file.parameters(),
+            hash: file.hash.clone(),
+        })
     }
 
     /// Which autoencoder this is.
@@ -104,38 +104,21 @@ impl Autoencoder {
     }
 
     /// Trainable numbers.
-    pub fn parameters(&self) -> usize {
-        self.model.parameters().count()
+    pub const fn parameters(&self) -> usize {
+        self.parameters
     }
 
     /// The network that a code stands for.
     pub fn decode_network(&self, code: &Code) -> Result<Nbrdf, DecodeError> {
         let numbers = code.checked(self.name(), &self.hash, DIM)?;
-        let failed = |error: candle_core::Error| DecodeError::Failed(error.to_string());
-        let code = Tensor::from_slice(numbers, (1, DIM), &Device::Cpu).map_err(failed)?;
-        let weights = self.model.decode(&code).and_then(|w| w.flatten_all()?.to_vec1()).map_err(failed)?;
+        let mut weights = vec![0.0; PUBLISHED_WEIGHTS];
+        self.inference.decode(numbers, &mut weights);
         Nbrdf::published(weights).map_err(|error| DecodeError::Failed(error.to_string()))
     }
 
-    fn input(&self, target: &Material) -> Result<Tensor, EncodeError> {
-        let (numbers, shape): (Vec<f32>, Vec<usize>) = match self.architecture {
-            Architecture::Znbrdf => {
-                let values = probe(&self.probes, target.brdf.as_ref());
-                if values.iter().any(|value| !value.is_finite()) {
-                    return Err(EncodeError::NotFinite { material: target.name.clone() });
-                }
-                (features(&self.probes, &values), vec![1, 3, FEATURES])
-            }
-            Architecture::Published => {
-                (network_of(self.name(), target)?.weights().to_vec(), vec![1, PUBLISHED_WEIGHTS])
-            }
-        };
-        Tensor::from_vec(numbers, shape, &Device::Cpu).map_err(tensor_failed)
+    fn checked<'a>(&self, numbers: &'a [f32]) -> Result<&'a [f32], DecodeError> {
+        check_numbers(self.name(), numbers, DIM)
     }
-}
-
-fn tensor_failed(error: candle_core::Error) -> EncodeError {
-    DecodeError::Failed(error.to_string()).into()
 }
 
 impl Representation for Autoencoder {
@@ -152,8 +135,20 @@ impl Representation for Autoencoder {
     }
 
     fn encode(&self, target: &Material) -> Result<Code, EncodeError> {
-        let code = self.model.encode(&self.input(target)?).and_then(|code| code.flatten_all()?.to_vec1());
-        Ok(self.code(code.map_err(tensor_failed)?))
+        let mut code = vec![0.0; DIM];
+        match self.architecture {
+            Architecture::Znbrdf => {
+                let values = self.probes.probe(target.brdf.as_ref());
+                if values.iter().any(|value| !value.is_finite()) {
+                    return Err(EncodeError::NotFinite { material: target.name.clone() });
+                }
+                self.inference.encode(&self.probes.features(&values), &mut code);
+            }
+            Architecture::Published => {
+                self.inference.encode(network_of(self.name(), target)?.weights(), &mut code);
+            }
+        }
+        Ok(self.code(code))
     }
 
     fn decode(&self, code: &Code) -> Result<Box<dyn Brdf>, DecodeError> {
@@ -163,11 +158,30 @@ impl Representation for Autoencoder {
     fn network(&self, code: &Code) -> Result<Option<Nbrdf>, DecodeError> {
         self.decode_network(code).map(Some)
     }
+
+    fn decode_into(&self, numbers: &[f32], place: &mut Box<dyn Brdf>) -> Result<(), DecodeError> {
+        let numbers = self.checked(numbers)?;
+        let mut weights = WEIGHTS.take();
+        weights.resize(PUBLISHED_WEIGHTS, 0.0);
+        self.inference.decode(numbers, &mut weights);
+        let done =
+            Nbrdf::put(PUBLISHED_HIDDEN, &weights, place).map_err(|error| DecodeError::Failed(error.to_string()));
+        WEIGHTS.set(weights);
+        done
+    }
+
+    fn linearize(&self, numbers: &[f32]) -> Result<Option<Linearized>, DecodeError> {
+        let numbers = self.checked(numbers)?;
+        let (mut weights, mut by_number) = (vec![0.0; PUBLISHED_WEIGHTS], vec![0.0; DIM * PUBLISHED_WEIGHTS]);
+        self.inference.linearize(numbers, &mut weights, &mut by_number);
+        Ok(Some(Linearized { hidden: PUBLISHED_HIDDEN, weights, by_number }))
+    }
 }
 
 #[cfg(test)]
 mod tests {
     use nbrdf_core::library::builtin;
+    use nbrdf_core::nbrdf::fit::generator;
     use nbrdf_core::nbrdf::symmetry::{permute, rescale};
     use rand::RngExt;
     use rand::seq::SliceRandom;

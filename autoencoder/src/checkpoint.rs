@@ -82,6 +82,21 @@ impl Checkpoint {
         Ok(Self { path: path.into(), tensors, metadata, hash: hash::sha256(bytes)[..16].to_owned() })
     }
 
+    /// The tensors of a model under training.
+    pub fn of(model: &dyn Model) -> Result<Self, CheckpointError> {
+        let numbers = |(name, tensor): (String, Tensor)| -> Result<_, CheckpointError> {
+            Ok((name, (tensor.dims().to_vec(), tensor.flatten_all()?.to_vec1()?)))
+        };
+        let tensors = tensors_of(model).into_iter().map(numbers).collect::<Result<_, _>>()?;
+        Ok(Self { path: "training".into(), tensors, metadata: HashMap::new(), hash: "untrained".into() })
+    }
+
+    /// Trainable numbers: those of the layers.
+    pub fn parameters(&self) -> usize {
+        let is_layer = |name: &str| name.ends_with(".weight") || name.ends_with(".bias");
+        self.tensors.iter().filter(|(name, _)| is_layer(name)).map(|(_, (_, values))| values.len()).sum()
+    }
+
     /// The numbers of a tensor of this shape.
     pub fn tensor(&self, name: &str, shape: &[usize]) -> Result<&[f32], CheckpointError> {
         match self.tensors.get(name) {

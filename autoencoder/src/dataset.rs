@@ -9,12 +9,12 @@ use std::sync::Arc;
 use nbrdf_core::nbrdf::fit::generator;
 use nbrdf_core::nbrdf::objective::features as objective_features;
 use nbrdf_core::nbrdf::samples::{SampleCounts, Samples};
-use nbrdf_core::{Brdf, Directions, Material, Rgb};
+use nbrdf_core::{Brdf, Material, Rgb};
 use rand::{Rng, RngExt};
 use rayon::prelude::*;
 
 use crate::loss::Target;
-use crate::probe::{features, probe, probe_directions};
+use crate::probe::Probes;
 
 /// Materials per step.
 pub(crate) const BATCH: usize = 32;
@@ -37,7 +37,7 @@ pub(crate) trait Batches: Sync {
 /// Training materials evaluated once at all directions that training will ask for, as y = ln(1 + f).
 pub(crate) struct Pool {
     sets: Vec<Arc<Samples>>,
-    probes: Vec<Directions>,
+    probes: Probes,
     materials: Vec<Evaluated>,
     /// How many of `materials` are measured; analytic ones follow.
     measured: usize,
@@ -57,12 +57,12 @@ impl Pool {
         let sets: Vec<_> = (0..SETS as u64)
             .map(|set| Arc::new(Samples::random(&mut generator(seed, 1_000 + set), SampleCounts::STEP)))
             .collect();
-        let probes = probe_directions();
+        let probes = Probes::new();
         let measured_brdfs = measured.iter().map(|material| &material.brdf);
         let brdfs: Vec<&Arc<dyn Brdf>> = measured_brdfs.chain(analytic).collect();
         let log = |values: Vec<Rgb>| values.into_iter().map(|f| f.map(f32::ln_1p)).collect();
         let evaluate = |brdf: &&Arc<dyn Brdf>| Evaluated {
-            probes: log(probe(&probes, brdf.as_ref())),
+            probes: log(probes.probe(brdf.as_ref())),
             sets: sets.iter().map(|set| log(set.values(brdf.as_ref()))).collect(),
         };
         let materials = brdfs.par_iter().map(evaluate).collect();
@@ -81,7 +81,7 @@ impl Pool {
         let change = Change::random(rng);
         let target = change.apply(&a.sets[set], &b.sets[set]);
         let samples = Arc::clone(&self.sets[set]);
-        let input = features(&self.probes, &change.apply(&a.probes, &b.probes));
+        let input = self.probes.features(&change.apply(&a.probes, &b.probes));
         let wanted = objective_features(&samples, &target);
         (input, Target { samples, features: wanted })
     }

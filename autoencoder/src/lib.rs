@@ -5,6 +5,7 @@
 mod autoencoder;
 mod checkpoint;
 mod dataset;
+mod inference;
 mod loss;
 mod model;
 mod optimizer;

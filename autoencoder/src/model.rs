@@ -1,7 +1,7 @@
 //! The two autoencoders: what they read, how long their codes are, and how they turn one into the other.
 
-mod published;
-mod znbrdf;
+pub(crate) mod published;
+pub(crate) mod znbrdf;
 
 pub(crate) use published::PublishedModel;
 pub(crate) use znbrdf::{FEATURES, ZnbrdfModel};

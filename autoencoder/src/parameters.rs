@@ -40,11 +40,6 @@ impl Parameters {
         self.entries.iter().map(|(name, var)| (name.as_str(), var))
     }
 
-    /// How many numbers in all.
-    pub fn count(&self) -> usize {
-        self.entries.iter().map(|(_, var)| var.elem_count()).sum()
-    }
-
     fn get(&self, name: &str) -> Result<&Tensor> {
         let found = self.entries.iter().find(|(entry, _)| entry == name);
         found.map(|(_, var)| var.as_tensor()).ok_or_else(|| candle_core::Error::Msg(format!("no parameter '{name}'")))

@@ -2,6 +2,7 @@
 
 use std::f32::consts::{FRAC_PI_2, TAU};
 
+use nbrdf_core::brdf::Prepared;
 use nbrdf_core::nbrdf::objective::DARKEST;
 use nbrdf_core::{Brdf, Directions, Rgb, Rusinkiewicz};
 
@@ -29,20 +30,37 @@ pub fn probe_directions() -> Vec<Directions> {
     above(true).take(warped).chain(above(false).take(PROBES - warped)).collect()
 }
 
-/// Probed reflectance at [`probe_directions`].
-pub fn probe(directions: &[Directions], brdf: &dyn Brdf) -> Vec<Rgb> {
-    let mut values = vec![Rgb::BLACK; directions.len()];
-    brdf.eval_into(directions, &mut values);
-    values
+/// The probes, ready to be asked of many materials.
+pub struct Probes {
+    at: Prepared,
 }
 
-/// Encoder input \[3, 3 · probes\]: for each channel its own t, the channels' mean, their mean absolute deviation,
-/// with t = (ln(f cos θ_i + 10⁻³) + 3.5) / 2.
-pub fn features(directions: &[Directions], values: &[Rgb]) -> Vec<f32> {
-    let scaled = |(at, f): (&Directions, &Rgb)| f.map(|f| ((f.max(0.0) * at.light.z + DARKEST).ln() + 3.5) * 0.5);
-    let t: Vec<Rgb> = directions.iter().zip(values).map(scaled).collect();
-    let deviation = |t: &Rgb| t.map(|v| (v - t.mean()).abs()).mean();
-    let channel =
-        |c: usize| t.iter().map(move |t| t[c]).chain(t.iter().map(|t| t.mean())).chain(t.iter().map(deviation));
-    (0..3).flat_map(channel).collect()
+impl Probes {
+    /// At [`probe_directions`].
+    pub fn new() -> Self {
+        Self { at: Prepared::new(probe_directions()) }
+    }
+
+    /// Reflectance at every probe.
+    pub fn probe(&self, brdf: &dyn Brdf) -> Vec<Rgb> {
+        let mut values = vec![Rgb::BLACK; self.at.len()];
+        brdf.eval_prepared(&self.at, &mut values);
+        values
+    }
+
+    /// Encoder input \[3, 3 · probes\]: for each channel its own t, the channels' mean, their mean absolute deviation,
+    /// with t = (ln(f cos θ_i + 10⁻³) + 3.5) / 2.
+    pub fn features(&self, values: &[Rgb]) -> Vec<f32> {
+        let scaled = |(at, f): (&Directions, &Rgb)| f.map(|f| ((f.max(0.0) * at.light.z + DARKEST).ln() + 3.5) * 0.5);
+        let t: Vec<Rgb> = self.at.directions().iter().zip(values).map(scaled).collect();
+        let [mean, deviation]: [Vec<f32>; 2] =
+            [t.iter().map(|t| t.mean()).collect(), t.iter().map(|t| t.map(|v| (v - t.mean()).abs()).mean()).collect()];
+        let mut features = Vec::with_capacity(9 * t.len());
+        for channel in 0..3 {
+            features.extend(t.iter().map(|t| t[channel]));
+            features.extend_from_slice(&mean);
+            features.extend_from_slice(&deviation);
+        }
+        features
+    }
 }

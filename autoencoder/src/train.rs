@@ -13,12 +13,12 @@ use nbrdf_core::nbrdf::objective::Objective;
 use nbrdf_core::nbrdf::{PUBLISHED_HIDDEN, PUBLISHED_WEIGHTS};
 use nbrdf_core::{Brdf, Material, Nbrdf};
 
-use crate::checkpoint::{CheckpointError, probe_tensors, save, tensors_of};
+use crate::checkpoint::{Checkpoint, CheckpointError, probe_tensors, save, tensors_of};
 use crate::dataset::{BATCH, Batch, Batches, Pool, Spheres};
 use crate::loss::decoded_loss;
 use crate::model::{FEATURES, Model, PublishedModel, ZnbrdfModel};
 use crate::optimizer::AdamW;
-use crate::probe::{PROBES, probe, probe_directions};
+use crate::probe::{PROBES, Probes};
 use crate::{Architecture, Autoencoder};
 
 /// Steps during which the learning rate rises.
@@ -128,8 +128,8 @@ pub fn train(
     resume: bool,
     progress: &mut dyn FnMut(Progress, &Autoencoder) -> ControlFlow<()>,
 ) -> Result<Autoencoder, TrainError> {
-    let (autoencoder, batches, objective) = prepare(data, options)?;
-    let model = autoencoder.model();
+    let Prepared { model, batches, objective } = prepare(data, options)?;
+    let model = model.as_ref();
     let mut optimizer = AdamW::new(model.parameters())?;
     let fingerprint = fingerprint(data);
     let run = state::Run { options, data: &fingerprint };
@@ -150,7 +150,8 @@ pub fn train(
         if done % REPORT_EVERY == 0 {
             let report = Progress { step: done, loss: loss_sum / REPORT_EVERY as f64 };
             loss_sum = 0.0;
-            stop = progress(report, &autoencoder).is_break();
+            let now = Autoencoder::of(options.architecture, &Checkpoint::of(model)?)?;
+            stop = progress(report, &now).is_break();
         }
         if stop || done % SAVE_EVERY == 0 {
             state::save(&state, run, model, &optimizer)?;
@@ -159,7 +160,7 @@ pub fn train(
             return Err(TrainError::Stopped { step: done, state });
         }
     }
-    write(&autoencoder, out)?;
+    write(options.architecture, model, out)?;
     // Only a finished checkpoint makes the state superfluous; a state that cannot be removed does no harm.
     let _ = std::fs::remove_file(&state);
     Ok(Autoencoder::load(out)?)
@@ -167,14 +168,19 @@ pub fn train(
 
 /// Hash of what is learned from: every material's values at the probes, and the networks.
 fn fingerprint(data: &TrainingData) -> String {
-    let probes = probe_directions();
+    let probes = Probes::new();
     let measured = data.measured.iter().map(|material| &material.brdf);
-    let values = measured.chain(data.analytic).flat_map(|brdf| probe(&probes, brdf.as_ref())).flat_map(|f| f.0);
+    let values = measured.chain(data.analytic).flat_map(|brdf| probes.probe(brdf.as_ref())).flat_map(|f| f.0);
     let networks = data.networks.iter().chain(data.start).flat_map(|network| network.weights().iter().copied());
     short_hash(values.chain(networks))
 }
 
-type Prepared = (Autoencoder, Box<dyn Batches>, Objective);
+/// What is trained, on what, towards what.
+struct Prepared {
+    model: Box<dyn Model>,
+    batches: Box<dyn Batches>,
+    objective: Objective,
+}
 
 fn prepare(data: &TrainingData, options: &TrainOptions) -> Result<Prepared, TrainError> {
     let networks: Vec<&Nbrdf> = data.networks.iter().filter(|n| n.hidden() == PUBLISHED_HIDDEN).collect();
@@ -183,21 +189,20 @@ fn prepare(data: &TrainingData, options: &TrainOptions) -> Result<Prepared, Trai
     }
     let mean = mean(&networks);
     let rng = &mut generator(options.seed, 0);
-    let (model, batches, objective): (Box<dyn Model + Send + Sync>, Box<dyn Batches>, Objective) =
-        match options.architecture {
-            Architecture::Znbrdf => {
-                let start = data.start.map_or(mean.as_slice(), Nbrdf::weights);
-                let model = ZnbrdfModel::new(start, &spread(&networks, start), rng)?;
-                let pool = Pool::new(data.measured, data.analytic, options.analytic_share, options.seed);
-                (Box::new(model), Box::new(pool), Objective::FIT)
-            }
-            Architecture::Published => {
-                let model = PublishedModel::new(&mean, &spread(&networks, &mean), rng)?;
-                let networks: Vec<Nbrdf> = networks.into_iter().cloned().collect();
-                (Box::new(model), Box::new(Spheres::new(&networks)), Objective::IMAGE)
-            }
-        };
-    Ok((Autoencoder::untrained(options.architecture, model), batches, objective))
+    let (model, batches, objective): (Box<dyn Model>, Box<dyn Batches>, Objective) = match options.architecture {
+        Architecture::Znbrdf => {
+            let start = data.start.map_or(mean.as_slice(), Nbrdf::weights);
+            let model = ZnbrdfModel::new(start, &spread(&networks, start), rng)?;
+            let pool = Pool::new(data.measured, data.analytic, options.analytic_share, options.seed);
+            (Box::new(model), Box::new(pool), Objective::FIT)
+        }
+        Architecture::Published => {
+            let model = PublishedModel::new(&mean, &spread(&networks, &mean), rng)?;
+            let networks: Vec<Nbrdf> = networks.into_iter().cloned().collect();
+            (Box::new(model), Box::new(Spheres::new(&networks)), Objective::IMAGE)
+        }
+    };
+    Ok(Prepared { model, batches, objective })
 }
 
 fn one_step(
@@ -236,12 +241,12 @@ fn spread(networks: &[&Nbrdf], centre: &[f32]) -> Vec<f32> {
     (0..PUBLISHED_WEIGHTS).map(|i| (square(i) / networks.len() as f64).sqrt().max(1e-2) as f32).collect()
 }
 
-fn write(autoencoder: &Autoencoder, out: &Path) -> Result<(), TrainError> {
-    let mut tensors = tensors_of(autoencoder.model());
-    if autoencoder.architecture() == Architecture::Znbrdf {
+fn write(architecture: Architecture, model: &dyn Model, out: &Path) -> Result<(), TrainError> {
+    let mut tensors = tensors_of(model);
+    if architecture == Architecture::Znbrdf {
         let (probes, cosines) = probe_tensors();
         tensors.push(("probes".into(), Tensor::from_vec(probes, (PROBES, 6), &Device::Cpu)?));
         tensors.push(("probe_cosine".into(), Tensor::from_vec(cosines, PROBES, &Device::Cpu)?));
     }
-    Ok(save(out, &tensors, ("model", autoencoder.architecture().name()))?)
+    Ok(save(out, &tensors, ("model", architecture.name()))?)
 }

@@ -7,10 +7,12 @@ mod prepared;
 
 pub use prepared::Prepared;
 
+use std::any::Any;
+
 use crate::{Directions, Rgb};
 
 /// Reflectance f_r \[1/sr\], linear RGB, never the cosine. Zero below either horizon.
-pub trait Brdf: Send + Sync {
+pub trait Brdf: Any + Send + Sync {
     /// f_r for one pair of directions; finite and not negative for finite unit vectors.
     fn eval(&self, at: Directions) -> Rgb;
 

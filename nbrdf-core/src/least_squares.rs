@@ -1,4 +1,4 @@
-//! Levenberg–Marquardt for a few unknowns and many residuals, with numerical derivatives.
+//! Levenberg–Marquardt for a few unknowns and many residuals, with the problem's own derivatives or numerical ones.
 //!
 //! J. Nocedal, S. Wright, *Numerical Optimization* (2006), section 10.3; damping scaled by the diagonal (Marquardt 1963).
 
@@ -11,6 +11,10 @@ pub trait Residuals {
     type Error;
     /// own − target for each of several points, all at once.
     fn residuals(&self, points: &[Vec<f32>]) -> Result<Vec<Vec<f32>>, Self::Error>;
+    /// One column of derivatives per unknown at `point`; `None` where the problem has none of its own.
+    fn jacobian(&self, _point: &[f32]) -> Result<Option<Vec<Vec<f32>>>, Self::Error> {
+        Ok(None)
+    }
     /// Weight of every squared residual (iteratively reweighted, for losses that are no squares).
     fn weights(&self, residual: &[f32]) -> Vec<f32>;
     /// The loss itself, which decides whether a step is taken.
@@ -33,7 +37,10 @@ pub fn minimize<P: Residuals>(problem: &P, start: &[f32], options: Steps) -> Res
     let mut loss = problem.loss(&residual);
     let mut damping = 1e-2;
     for _ in 0..options.steps {
-        let jacobian = jacobian(problem, &point, &residual, options.offset)?;
+        let jacobian = match problem.jacobian(&point)? {
+            Some(jacobian) => jacobian,
+            None => differences(problem, &point, &residual, options.offset)?,
+        };
         let weights = problem.weights(&residual);
         let (normal, slope) = normal_equations(&jacobian, &residual, &weights);
         let mut improved = false;
@@ -62,7 +69,7 @@ fn first(mut all: Vec<Vec<f32>>) -> Vec<f32> {
 }
 
 /// One column of derivatives per unknown, by forward differences.
-fn jacobian<P: Residuals>(
+fn differences<P: Residuals>(
     problem: &P,
     point: &[f32],
     residual: &[f32],

@@ -33,6 +33,7 @@ pub mod color;
 pub mod cost;
 pub mod data;
 pub mod database;
+pub mod dense;
 pub mod direction;
 pub mod hash;
 pub mod image;

@@ -16,7 +16,9 @@ pub mod safetensors;
 pub mod samples;
 mod shape;
 pub mod symmetry;
+pub mod tangent;
 
+use std::any::Any;
 use std::ops::Range;
 
 use crate::brdf::Prepared;
@@ -161,6 +163,21 @@ impl Nbrdf {
     /// The weights, moved out.
     pub fn into_weights(self) -> Vec<f32> {
         self.weights
+    }
+
+    /// Puts a network where a reflectance was; allocates nothing where that was a network of the same shape. On an error
+    /// `place` stays as it was.
+    pub fn put(hidden: [usize; 2], weights: &[f32], place: &mut Box<dyn Brdf>) -> Result<(), NbrdfError> {
+        let old: &mut dyn Any = place.as_mut();
+        match old.downcast_mut::<Self>() {
+            Some(network) if network.hidden == hidden && network.weights.len() == weights.len() => {
+                network.set_weights(weights)
+            }
+            _ => {
+                *place = Box::new(Self::new(hidden, weights.to_vec())?);
+                Ok(())
+            }
+        }
     }
 
     /// f_r as [`eval_into`](Brdf::eval_into) gives it, with vectors of a given kind: for comparing them.

@@ -6,6 +6,8 @@ pub mod nearest_end;
 pub mod weight_path;
 pub mod weights;
 
+use std::cell::Cell;
+
 pub use weights::{Weights, WeightsError};
 
 use crate::representation::{DecodeError, EncodeError};
@@ -27,6 +29,13 @@ pub trait Interpolation: Send + Sync {
 pub trait Path: Send + Sync {
     /// The material at these barycentric weights, one per end.
     fn at(&self, weights: &Weights) -> Result<Box<dyn Brdf>, PathError>;
+
+    /// As [`at`](Self::at), in place of an earlier point: paths through networks allocate nothing. On an error `point`
+    /// stays as it was.
+    fn move_to(&self, weights: &Weights, point: &mut Box<dyn Brdf>) -> Result<(), PathError> {
+        *point = self.at(weights)?;
+        Ok(())
+    }
 }
 
 /// Why there is no path, or no such point on it.
@@ -62,12 +71,25 @@ pub(crate) fn at_least_two(ends: &[Material]) -> Result<(), PathError> {
     if ends.len() < 2 { Err(PathError::TooFewEnds { found: ends.len() }) } else { Ok(()) }
 }
 
-/// `Σ weight · vector`.
-pub(crate) fn weighted_sum(weights: &Weights, vectors: &[Vec<f32>]) -> Result<Vec<f32>, PathError> {
+thread_local! {
+    /// Each thread's mixed numbers.
+    static MIXED: Cell<Vec<f32>> = const { Cell::new(Vec::new()) };
+}
+
+/// Hands `Σ weight · vector` to `then`; allocates nothing after the first call on a thread.
+pub(crate) fn with_weighted_sum<T>(
+    weights: &Weights,
+    vectors: &[Vec<f32>],
+    then: impl FnOnce(&[f32]) -> Result<T, PathError>,
+) -> Result<T, PathError> {
     let weights = weights.for_ends(vectors.len())?;
-    let mut sum = vec![0.0; vectors[0].len()];
+    let mut sum = MIXED.take();
+    sum.clear();
+    sum.resize(vectors[0].len(), 0.0);
     for (&weight, vector) in weights.iter().zip(vectors) {
         sum.iter_mut().zip(vector).for_each(|(sum, v)| *sum += weight * v);
     }
-    Ok(sum)
+    let result = then(&sum);
+    MIXED.set(sum);
+    result
 }

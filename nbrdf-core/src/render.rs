@@ -6,20 +6,22 @@
 
 mod light;
 
+use std::cell::Cell;
 use std::sync::OnceLock;
 
 use glam::DVec3;
 pub use light::{Lamp, Light};
 use rayon::prelude::*;
 
+use crate::brdf::Prepared;
 use crate::{Brdf, Directions, Image, Rgb};
 
 /// Pixels per side of the sphere in all metrics.
 pub const METRIC_SIZE: usize = 128;
 /// Radius of the sphere in half image widths.
 const RADIUS: f64 = 0.99;
-/// Up to this size the geometry is kept (28 MB at eleven lamps); beyond, each render derives it again row by row.
-const KEPT_SIZE: usize = 256;
+/// Up to this many pixels times lamps the geometry is kept (some 60 MB); beyond, each render derives it again row by row.
+const KEPT_PAIRS: usize = 1 << 20;
 
 /// The geometry of one picture, ready for any number of materials.
 #[derive(Clone, Debug)]
@@ -36,7 +38,7 @@ struct Row {
     /// Column of each covered pixel, and how many entries of `at` belong to it.
     pixels: Vec<(usize, usize)>,
     /// Lit pairs, in the frame of their pixel.
-    at: Vec<Directions>,
+    at: Prepared,
     /// E cos θ_i of each pair.
     weights: Vec<Rgb>,
 }
@@ -45,7 +47,9 @@ impl Sphere {
     /// A picture of `size` × `size` pixels under `light`.
     pub fn new(size: usize, light: &Light) -> Self {
         let covered = (0..size * size).map(|i| normal(size, i % size, i / size).is_some()).collect();
-        let rows = if size <= KEPT_SIZE { (0..size).map(|y| Row::new(size, y, light)).collect() } else { Vec::new() };
+        let kept = size * size * light.lamps.len() <= KEPT_PAIRS;
+        let rows =
+            if kept { (0..size).into_par_iter().map(|y| Row::new(size, y, light)).collect() } else { Vec::new() };
         Self { size, light: light.clone(), covered, rows }
     }
 
@@ -80,47 +84,48 @@ impl Sphere {
     ///
     /// Rows are shaded in parallel; the result does not depend on the number of threads.
     pub fn render(&self, brdf: &dyn Brdf) -> Image {
-        let mut pixels = vec![Rgb::BLACK; self.size * self.size];
-        pixels.par_chunks_mut(self.size.max(1)).enumerate().for_each(|(y, out)| match self.rows.get(y) {
+        let mut image = Image::black(self.size, self.size);
+        self.render_into(brdf, &mut image);
+        image
+    }
+
+    /// As [`render`](Self::render), over an earlier picture; allocates nothing where the geometry is kept.
+    ///
+    /// # Panics
+    /// If the image is not of this [`size`](Self::size) (a bug of the caller).
+    pub fn render_into(&self, brdf: &dyn Brdf, image: &mut Image) {
+        assert_eq!((image.width(), image.height()), (self.size, self.size), "a picture of the sphere's size");
+        image.pixels_mut().par_chunks_mut(self.size.max(1)).enumerate().for_each(|(y, out)| match self.rows.get(y) {
             Some(row) => row.shade(brdf, out),
             None => Row::new(self.size, y, &self.light).shade(brdf, out),
         });
-        Image::new(self.size, self.size, pixels)
     }
+}
+
+thread_local! {
+    /// Each thread's reflectances of one row.
+    static VALUES: Cell<Vec<Rgb>> = const { Cell::new(Vec::new()) };
 }
 
 impl Row {
     fn new(size: usize, y: usize, light: &Light) -> Self {
-        let mut row = Self::default();
+        let (mut pixels, mut at, mut weights) = (Vec::new(), Vec::new(), Vec::new());
         for x in 0..size {
             if let Some(normal) = normal(size, x, y) {
-                let before = row.at.len();
-                row.light_up(normal, light);
-                row.pixels.push((x, row.at.len() - before));
+                let before = at.len();
+                light_up(normal, light, &mut at, &mut weights);
+                pixels.push((x, at.len() - before));
             }
         }
-        row
+        Self { pixels, at: Prepared::new(at), weights }
     }
 
-    /// Adds the pairs of one pixel: one for each lamp in front of its surface.
-    fn light_up(&mut self, normal: DVec3, light: &Light) {
-        let tangent = DVec3::Y.cross(normal).normalize();
-        let bitangent = normal.cross(tangent);
-        let local = |v: DVec3| DVec3::new(v.dot(tangent), v.dot(bitangent), v.dot(normal));
-        let view = local(DVec3::Z).as_vec3();
-        for lamp in &light.lamps {
-            let direction = local(lamp.direction.as_dvec3());
-            let at = Directions::new(direction.as_vec3(), view);
-            if at.is_above() {
-                self.at.push(at);
-                self.weights.push(lamp.irradiance * at.light.z);
-            }
-        }
-    }
-
+    /// Pixels off the sphere stay as they are: black.
     fn shade(&self, brdf: &dyn Brdf, out: &mut [Rgb]) {
-        let mut values = vec![Rgb::BLACK; self.at.len()];
-        brdf.eval_into(&self.at, &mut values);
+        // Taken out, not borrowed: whatever the material does on this thread, nobody else holds them.
+        let mut values = VALUES.take();
+        values.resize(self.at.len(), Rgb::BLACK);
+        brdf.eval_prepared(&self.at, &mut values);
         let mut terms = values.iter().zip(&self.weights);
         for &(x, lamps) in &self.pixels {
             let mut radiance = [0.0_f64; 3];
@@ -130,6 +135,22 @@ impl Row {
                 }
             }
             out[x] = Rgb(radiance.map(|sum| sum as f32));
+        }
+        VALUES.set(values);
+    }
+}
+
+/// Adds the pairs of one pixel: one for each lamp in front of its surface.
+fn light_up(normal: DVec3, light: &Light, at: &mut Vec<Directions>, weights: &mut Vec<Rgb>) {
+    let tangent = DVec3::Y.cross(normal).normalize();
+    let bitangent = normal.cross(tangent);
+    let local = |v: DVec3| DVec3::new(v.dot(tangent), v.dot(bitangent), v.dot(normal));
+    let view = local(DVec3::Z).as_vec3();
+    for lamp in &light.lamps {
+        let pair = Directions::new(local(lamp.direction.as_dvec3()).as_vec3(), view);
+        if pair.is_above() {
+            at.push(pair);
+            weights.push(lamp.irradiance * pair.light.z);
         }
     }
 }
@@ -196,9 +217,9 @@ mod tests {
 
     #[test]
     fn large_pictures_do_not_keep_their_geometry_and_are_no_different() {
-        let kept = Sphere::new(KEPT_SIZE, &Light::studio());
+        let kept = Sphere::new(256, &Light::studio());
         let derived = Sphere { rows: Vec::new(), ..kept.clone() };
-        assert!(Sphere::new(KEPT_SIZE + 1, &Light::studio()).rows.is_empty());
+        assert!(!kept.rows.is_empty() && Sphere::new(1025, &Light::point()).rows.is_empty());
         assert_eq!(kept.render(&GLOSSY), derived.render(&GLOSSY));
     }
 }

@@ -7,7 +7,7 @@ pub mod pca_tables;
 pub mod pca_weights;
 pub mod refined;
 
-pub use code::Code;
+pub use code::{Code, check_numbers};
 
 use crate::{Brdf, Material, Nbrdf};
 
@@ -36,9 +36,49 @@ pub trait Representation: Send + Sync {
         code.checked(self.name(), self.checkpoint(), self.dim()).map(|_| None)
     }
 
+    /// As [`decode`](Self::decode) of plain numbers, in place of an earlier reflectance: representations that decode to
+    /// networks allocate nothing. On an error `place` stays as it was.
+    fn decode_into(&self, numbers: &[f32], place: &mut Box<dyn Brdf>) -> Result<(), DecodeError> {
+        *place = self.decode(&self.code(numbers.to_vec()))?;
+        Ok(())
+    }
+
+    /// The network of these numbers and its derivatives, where codes decode to networks smoothly.
+    fn linearize(&self, _numbers: &[f32]) -> Result<Option<Linearized>, DecodeError> {
+        Ok(None)
+    }
+
     /// A code of this representation from plain numbers.
     fn code(&self, numbers: Vec<f32>) -> Code {
         Code::new(self.name(), self.checkpoint(), numbers)
+    }
+}
+
+/// A network and how its weights move with the numbers of its code.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Linearized {
+    /// Hidden widths.
+    pub hidden: [usize; 2],
+    /// Flattened weights.
+    pub weights: Vec<f32>,
+    /// ∂weights/∂number \[numbers, weights\].
+    pub by_number: Vec<f32>,
+}
+
+impl Linearized {
+    /// ∂weights/∂number, number by number.
+    pub fn rows(&self) -> impl Iterator<Item = &[f32]> {
+        self.by_number.chunks_exact(self.weights.len())
+    }
+
+    /// ∂loss/∂number from ∂loss/∂weight.
+    ///
+    /// # Panics
+    /// If there is not one derivative per weight (a bug of the caller).
+    pub fn pull_back(&self, by_weight: &[f32]) -> Vec<f32> {
+        assert_eq!(by_weight.len(), self.weights.len(), "one derivative per weight");
+        let dot = |row: &[f32]| row.iter().zip(by_weight).map(|(a, b)| f64::from(a * b)).sum::<f64>() as f32;
+        self.rows().map(dot).collect()
     }
 }
 
@@ -65,6 +105,14 @@ impl<R: Representation + ?Sized> Representation for std::sync::Arc<R> {
 
     fn network(&self, code: &Code) -> Result<Option<Nbrdf>, DecodeError> {
         (**self).network(code)
+    }
+
+    fn decode_into(&self, numbers: &[f32], place: &mut Box<dyn Brdf>) -> Result<(), DecodeError> {
+        (**self).decode_into(numbers, place)
+    }
+
+    fn linearize(&self, numbers: &[f32]) -> Result<Option<Linearized>, DecodeError> {
+        (**self).linearize(numbers)
     }
 }
 

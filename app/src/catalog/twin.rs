@@ -3,7 +3,7 @@
 use nbrdf_core::library::{Entry, Library, builtin};
 use nbrdf_core::metric::{LogError, Metric};
 use nbrdf_core::nbrdf::fit::{FitOptions, fit};
-use nbrdf_core::representation::{DecodeError, EncodeError};
+use nbrdf_core::representation::{DecodeError, EncodeError, Linearized};
 use nbrdf_core::{Brdf, Code, Material, Nbrdf, Representation};
 
 /// A twin may be this many times as far away as its own fit is from what it was fitted to.
@@ -71,5 +71,13 @@ impl<R: Representation> Representation for WithNetwork<R> {
 
     fn network(&self, code: &Code) -> Result<Option<Nbrdf>, DecodeError> {
         self.inner.network(code)
+    }
+
+    fn decode_into(&self, numbers: &[f32], place: &mut Box<dyn Brdf>) -> Result<(), DecodeError> {
+        self.inner.decode_into(numbers, place)
+    }
+
+    fn linearize(&self, numbers: &[f32]) -> Result<Option<Linearized>, DecodeError> {
+        self.inner.linearize(numbers)
     }
 }

@@ -10,6 +10,11 @@ use rand::Rng;
 use super::{DIM, Model, add_chain, chain};
 use crate::parameters::Parameters;
 
+/// Widths of the encoder's layers.
+pub(crate) const ENCODER: [usize; 3] = [PUBLISHED_WEIGHTS, PUBLISHED_WEIGHTS, DIM];
+/// Widths of the decoder's layers.
+pub(crate) const DECODER: [usize; 3] = [DIM, 100, PUBLISHED_WEIGHTS];
+
 /// The trainable tensors, and mean and spread of the training networks' weights.
 pub(crate) struct PublishedModel {
     parameters: Parameters,
@@ -21,8 +26,8 @@ impl PublishedModel {
     /// With random initial weights.
     pub fn new(mean: &[f32], spread: &[f32], rng: &mut impl Rng) -> Result<Self> {
         let mut parameters = Parameters::new();
-        add_chain(&mut parameters, "encoder", &[PUBLISHED_WEIGHTS, PUBLISHED_WEIGHTS, DIM], 1.0, rng)?;
-        add_chain(&mut parameters, "decoder", &[DIM, 100, PUBLISHED_WEIGHTS], 1.0, rng)?;
+        add_chain(&mut parameters, "encoder", &ENCODER, 1.0, rng)?;
+        add_chain(&mut parameters, "decoder", &DECODER, 1.0, rng)?;
         let row = |values: &[f32]| Tensor::from_slice(values, PUBLISHED_WEIGHTS, &Device::Cpu);
         Ok(Self { parameters, mean: row(mean)?, spread: row(spread)? })
     }

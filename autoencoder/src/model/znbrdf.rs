@@ -4,18 +4,29 @@
 //! at both ends of a path stay equal along it: no colour appears that was in neither end.
 
 use candle_core::{D, Device, Result, Tensor};
-use nbrdf_core::nbrdf::{Layout, PUBLISHED_HIDDEN, PUBLISHED_WEIGHTS};
+use nbrdf_core::nbrdf::{PUBLISHED_HIDDEN, PUBLISHED_WEIGHTS};
 use rand::Rng;
 
 use super::{Model, add_chain, chain};
 use crate::parameters::Parameters;
 use crate::probe::PROBES;
 
-const SHARED: usize = 20;
-const CHANNEL: usize = 4;
+/// Numbers of a code that all channels share.
+pub(crate) const SHARED: usize = 20;
+/// Numbers of a code for each channel.
+pub(crate) const CHANNEL: usize = 4;
 /// Features of one channel: its own probes, their mean, their deviation.
 pub(crate) const FEATURES: usize = 3 * PROBES;
-const EMBEDDING: usize = 256;
+/// What the encoder makes of one channel's features.
+pub(crate) const EMBEDDING: usize = 256;
+/// Widths of the encoder's layers, the same for all channels.
+pub(crate) const BODY: [usize; 4] = [FEATURES, 512, 256, EMBEDDING];
+/// Widths of the layers that make the first two layers' weights of what is common to all channels.
+pub(crate) const TRUNK: [usize; 4] = [SHARED + CHANNEL, 256, 512, INNER];
+/// Widths of the layers that make one channel's column of the output layer.
+pub(crate) const HEAD: [usize; 4] = [SHARED + 2 * CHANNEL, 128, 128, PUBLISHED_HIDDEN[1] + 1];
+/// Weights of the first two layers.
+const INNER: usize = PUBLISHED_WEIGHTS - 3 * (PUBLISHED_HIDDEN[1] + 1);
 
 /// The trainable tensors and the start and spread of the decoded weights.
 pub(crate) struct ZnbrdfModel {
@@ -29,14 +40,12 @@ pub(crate) struct ZnbrdfModel {
 impl ZnbrdfModel {
     /// With random initial weights.
     pub fn new(start: &[f32], spread: &[f32], rng: &mut impl Rng) -> Result<Self> {
-        let inner = inner_weights();
-        let column = PUBLISHED_HIDDEN[1] + 1;
         let mut parameters = Parameters::new();
-        add_chain(&mut parameters, "encoder.body", &[FEATURES, 512, 256, EMBEDDING], 1.0, rng)?;
+        add_chain(&mut parameters, "encoder.body", &BODY, 1.0, rng)?;
         parameters.add_dense("encoder.shared", [EMBEDDING, SHARED], 1.0, rng)?;
         parameters.add_dense("encoder.channel", [2 * EMBEDDING, CHANNEL], 1.0, rng)?;
-        add_chain(&mut parameters, "decoder.trunk", &[SHARED + CHANNEL, 256, 512, inner], 0.1, rng)?;
-        add_chain(&mut parameters, "decoder.head", &[SHARED + 2 * CHANNEL, 128, 128, column], 0.1, rng)?;
+        add_chain(&mut parameters, "decoder.trunk", &TRUNK, 0.1, rng)?;
+        add_chain(&mut parameters, "decoder.head", &HEAD, 0.1, rng)?;
         let row = |values: &[f32]| Tensor::from_slice(&channel_mean(values), PUBLISHED_WEIGHTS, &Device::Cpu);
         Ok(Self { parameters, start: row(start)?, spread: row(spread)? })
     }
@@ -93,15 +102,10 @@ impl Model for ZnbrdfModel {
     }
 }
 
-/// Weights of the first two layers.
-fn inner_weights() -> usize {
-    Layout::new(PUBLISHED_HIDDEN).layers[1].1.end
-}
-
 /// Gives the three channels of the output layer their common mean.
-fn channel_mean(weights: &[f32]) -> Vec<f32> {
+pub(crate) fn channel_mean(weights: &[f32]) -> Vec<f32> {
     let mut weights = weights.to_vec();
-    for channels in weights[inner_weights()..].chunks_exact_mut(3) {
+    for channels in weights[INNER..].chunks_exact_mut(3) {
         let mean = channels.iter().sum::<f32>() / 3.0;
         channels.fill(mean);
     }

@@ -7,6 +7,7 @@ use pulp::{Simd, WithSimd};
 use super::kernel::dense::{dense, pack};
 use super::kernel::outer::{Partial, accumulate};
 use super::kernel::{Activations, Block, InstructionSet, LANES, Lanes, Live, ORDER, Packed};
+use super::tangent::stop_where_silent;
 use super::{INPUTS, Layout, weight_count};
 use crate::Rgb;
 use crate::brdf::Prepared;
@@ -156,9 +157,9 @@ impl WithSimd for Backward<'_> {
                     }
                 }
                 dense::<S, false>(simd, &by.output, &self.transposed[1], &mut by.second);
-                through_relu(simd, &block.second, &mut by.second);
+                stop_where_silent(simd, &block.second, &mut by.second);
                 dense::<S, false>(simd, &by.second, &self.transposed[0], &mut by.first);
-                through_relu(simd, &block.first, &mut by.first);
+                stop_where_silent(simd, &block.first, &mut by.first);
             }
             let (by, count) = (&*by, blocks.len());
             let [by_first, by_second] = [rows(by, |by| &by.first), rows(by, |by| &by.second)];
@@ -181,16 +182,6 @@ fn rows<'a, T>(blocks: &'a [T], of: impl Fn(&'a T) -> &'a [Lanes]) -> [&'a [Lane
     std::array::from_fn(|i| of(&blocks[i.min(blocks.len() - 1)]))
 }
 
-/// Derivatives pass where the unit fired.
-#[inline(always)]
-fn through_relu<S: Simd>(simd: S, activations: &[Lanes], derivatives: &mut [Lanes]) {
-    let zero = simd.splat_f32s(0.0);
-    for (activation, derivative) in activations.iter().zip(derivatives) {
-        for (a, d) in activation.vectors::<S>().iter().zip(derivative.vectors_mut::<S>()) {
-            *d = simd.select_f32s(simd.greater_than_f32s(*a, zero), *d, zero);
-        }
-    }
-}
 #[cfg(test)]
 mod tests {
     use super::*;

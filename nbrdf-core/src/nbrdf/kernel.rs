@@ -19,8 +19,8 @@ use pulp::{Simd, WithSimd};
 use super::INPUTS;
 use crate::{Directions, Rgb};
 use dense::dense;
-use exponential::exp_minus_one;
 
+pub(crate) use exponential::exp_minus_one;
 pub(crate) use half_diff::{Block, ORDER};
 pub use instruction_set::InstructionSet;
 pub(crate) use lanes::{LANES, Lanes};

@@ -145,6 +145,30 @@ pub fn pull_back(samples: &Samples, values: &[Rgb], own: &[f32], by_feature: &[f
     }
 }
 
+/// How the features move when the values do; `values` and `own` are those the features came from.
+pub fn push_forward(samples: &Samples, values: &[Rgb], own: &[f32], moved: &[Rgb], out: &mut [f32]) {
+    let [log, relative, display] = sections(samples);
+    for i in log {
+        let (f, c) = (values[i / 3][i % 3], samples.factors[i / 3]);
+        out[i] = moved[i / 3][i % 3] * c / (1.0 + f * c).max(0.1);
+    }
+    for i in relative {
+        let (f, c) = (values[i / 3][i % 3], samples.factors[i / 3]);
+        out[i] = if f > 0.0 { moved[i / 3][i % 3] * c / (f * c + DARKEST) } else { 0.0 };
+    }
+    let first = samples.counts.log + samples.counts.relative;
+    for pixel in 0..samples.counts.pixels {
+        let at = display.start + 3 * pixel;
+        let radiance = radiance(samples, values, pixel);
+        let lamps = first + samples.counts.lamps * pixel..first + samples.counts.lamps * (pixel + 1);
+        for channel in 0..3 {
+            let lit = lamps.clone().filter(|&lamp| values[lamp][channel] > 0.0);
+            let change: f32 = lit.map(|lamp| moved[lamp][channel] * samples.factors[lamp]).sum();
+            out[at + channel] = change * display_slope(radiance[channel], own[at + channel]);
+        }
+    }
+}
+
 /// Radiance of a sampled pixel: its lamps summed.
 fn radiance(samples: &Samples, values: &[Rgb], pixel: usize) -> Rgb {
     let first = samples.counts.log + samples.counts.relative + samples.counts.lamps * pixel;

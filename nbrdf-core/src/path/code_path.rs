@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use super::{Interpolation, Path, PathError, Weights, at_least_two, weighted_sum};
+use super::{Interpolation, Path, PathError, Weights, at_least_two, with_weighted_sum};
 use crate::{Brdf, Material, Representation};
 
 /// Encodes the ends, mixes their codes, decodes.
@@ -38,7 +38,12 @@ impl Interpolation for CodeInterpolation {
 
 impl Path for CodePath {
     fn at(&self, weights: &Weights) -> Result<Box<dyn Brdf>, PathError> {
-        let code = self.representation.code(weighted_sum(weights, &self.codes)?);
-        Ok(self.representation.decode(&code)?)
+        with_weighted_sum(weights, &self.codes, |code| {
+            Ok(self.representation.decode(&self.representation.code(code.to_vec()))?)
+        })
+    }
+
+    fn move_to(&self, weights: &Weights, point: &mut Box<dyn Brdf>) -> Result<(), PathError> {
+        with_weighted_sum(weights, &self.codes, |code| Ok(self.representation.decode_into(code, point)?))
     }
 }

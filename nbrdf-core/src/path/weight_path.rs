@@ -1,6 +1,6 @@
 //! Straight paths between the weights of networks: as they come, aligned unit by unit, or from a shared start.
 
-use super::{Interpolation, Path, PathError, Weights, at_least_two, weighted_sum};
+use super::{Interpolation, Path, PathError, Weights, at_least_two, with_weighted_sum};
 use crate::nbrdf::symmetry::align;
 use crate::representation::pca_weights::network_of;
 use crate::{Brdf, Material, Nbrdf};
@@ -56,6 +56,10 @@ impl Interpolation for WeightInterpolation {
 
 impl Path for WeightPath {
     fn at(&self, weights: &Weights) -> Result<Box<dyn Brdf>, PathError> {
-        Ok(Box::new(Nbrdf::new(self.hidden, weighted_sum(weights, &self.weights)?)?))
+        with_weighted_sum(weights, &self.weights, |mixed| Ok(Box::new(Nbrdf::new(self.hidden, mixed.to_vec())?) as _))
+    }
+
+    fn move_to(&self, weights: &Weights, point: &mut Box<dyn Brdf>) -> Result<(), PathError> {
+        with_weighted_sum(weights, &self.weights, |mixed| Ok(Nbrdf::put(self.hidden, mixed, point)?))
     }
 }

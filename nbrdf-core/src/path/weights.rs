@@ -1,10 +1,12 @@
 //! Barycentric weights: one per end, sum 1.
 
+use smallvec::{SmallVec, smallvec};
+
 use super::PathError;
 
-/// Weights of the ends of a path; negative ones lie beyond the ends.
+/// Weights of the ends of a path; negative ones lie beyond the ends. Up to six are no allocation.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Weights(Vec<f32>);
+pub struct Weights(SmallVec<[f32; 6]>);
 
 /// Why numbers are not barycentric weights.
 #[derive(Debug, thiserror::Error, PartialEq)]
@@ -17,7 +19,7 @@ pub struct WeightsError {
 impl Weights {
     /// (1 − t, t): t = 0 is the first of two ends, t = 1 the second.
     pub fn two(t: f32) -> Self {
-        Self(vec![1.0 - t, t])
+        Self(smallvec![1.0 - t, t])
     }
 
     /// Any weights, scaled to the sum 1.

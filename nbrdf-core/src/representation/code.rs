@@ -37,12 +37,17 @@ impl Code {
         if self.checkpoint != checkpoint {
             return Err(DecodeError::Checkpoint { expected: checkpoint.into(), found: self.checkpoint.clone() });
         }
-        if self.code.len() != dim {
-            return Err(DecodeError::Length { model: model.into(), expected: dim, found: self.code.len() });
-        }
-        match self.code.iter().enumerate().find(|(_, v)| !v.is_finite()) {
-            Some((index, &value)) => Err(DecodeError::NotFinite { index, value }),
-            None => Ok(&self.code),
-        }
+        check_numbers(model, &self.code, dim)
+    }
+}
+
+/// The numbers, if there are as many as the model's codes have and all are finite.
+pub fn check_numbers<'a>(model: &str, numbers: &'a [f32], dim: usize) -> Result<&'a [f32], DecodeError> {
+    if numbers.len() != dim {
+        return Err(DecodeError::Length { model: model.into(), expected: dim, found: numbers.len() });
+    }
+    match numbers.iter().enumerate().find(|(_, v)| !v.is_finite()) {
+        Some((index, &value)) => Err(DecodeError::NotFinite { index, value }),
+        None => Ok(numbers),
     }
 }

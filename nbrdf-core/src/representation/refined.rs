@@ -6,12 +6,13 @@ use std::sync::Arc;
 
 use rayon::prelude::*;
 
-use super::{Code, DecodeError, EncodeError, Representation};
+use super::{Code, DecodeError, EncodeError, Linearized, Representation};
 use crate::least_squares::{Residuals, Steps, minimize};
 use crate::nbrdf::fit::generator;
-use crate::nbrdf::objective::{Objective, features};
+use crate::nbrdf::objective::{Objective, features, push_forward};
 use crate::nbrdf::samples::{SampleCounts, Samples};
-use crate::{Brdf, Material, Nbrdf};
+use crate::nbrdf::tangent::{Tangents, tangents};
+use crate::{Brdf, Material, Nbrdf, Rgb};
 
 /// Steps; more than eight change nothing that can be seen.
 const STEPS: Steps = Steps { steps: 8, offset: 3e-3 };
@@ -38,6 +39,21 @@ impl<R: Representation + ?Sized> Residuals for CodeProblem<'_, R> {
             Ok(own)
         };
         points.par_iter().map(one).collect()
+    }
+
+    fn jacobian(&self, point: &[f32]) -> Result<Option<Vec<Vec<f32>>>, DecodeError> {
+        let Some(linearized) = self.representation.linearize(point)? else { return Ok(None) };
+        let changes: Vec<&[f32]> = linearized.rows().collect();
+        let Tangents { mut values, derivatives } =
+            tangents(linearized.hidden, &linearized.weights, &changes, &self.samples.at);
+        values.iter_mut().for_each(|f| *f = f.map(|f| f.max(0.0)));
+        let own = features(self.samples, &values);
+        let column = |moved: &Vec<Rgb>| {
+            let mut column = vec![0.0; own.len()];
+            push_forward(self.samples, &values, &own, moved, &mut column);
+            column
+        };
+        Ok(Some(derivatives.par_iter().map(column).collect()))
     }
 
     fn weights(&self, residual: &[f32]) -> Vec<f32> {
@@ -87,5 +103,13 @@ impl<R: Representation + ?Sized> Representation for Refined<R> {
 
     fn network(&self, code: &Code) -> Result<Option<Nbrdf>, DecodeError> {
         self.0.network(code)
+    }
+
+    fn decode_into(&self, numbers: &[f32], place: &mut Box<dyn Brdf>) -> Result<(), DecodeError> {
+        self.0.decode_into(numbers, place)
+    }
+
+    fn linearize(&self, numbers: &[f32]) -> Result<Option<Linearized>, DecodeError> {
+        self.0.linearize(numbers)
     }
 }
