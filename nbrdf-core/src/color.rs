@@ -5,8 +5,9 @@ use std::ops::{Add, AddAssign, Index, IndexMut, Mul};
 use serde::{Deserialize, Serialize};
 
 /// Three linear channels, red, green, blue: a reflectance \[1/sr\] or a radiance, by context.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize, bytemuck::Pod, bytemuck::Zeroable)]
 #[serde(transparent)]
+#[repr(transparent)]
 pub struct Rgb(pub [f32; 3]);
 
 impl Rgb {
@@ -16,6 +17,16 @@ impl Rgb {
     /// The same value in all channels.
     pub const fn splat(value: f32) -> Self {
         Self([value; 3])
+    }
+
+    /// All channels of many triples, one after the other.
+    pub fn flat(values: &[Self]) -> &[f32] {
+        bytemuck::cast_slice(values)
+    }
+
+    /// As [`flat`](Self::flat), to be changed.
+    pub fn flat_mut(values: &mut [Self]) -> &mut [f32] {
+        bytemuck::cast_slice_mut(values)
     }
 
     /// Applies `f` to each channel.

@@ -5,8 +5,7 @@
 
 use pulp::{Simd, WithSimd};
 
-use crate::nbrdf::InstructionSet;
-use crate::nbrdf::kernel::{LANES, Lanes, exp_minus_one};
+use crate::simd::{InstructionSet, LANES, Lanes, exp_minus_one};
 
 /// A dense layer, packed.
 #[derive(Clone, Debug)]

@@ -9,6 +9,7 @@ use std::{
 };
 
 use crate::Rgb;
+use crate::simd::powers;
 
 /// Exponent of the display: shown value = clip(linear, 0, 1)^(1/2.2).
 pub const DISPLAY_GAMMA: f32 = 2.2;
@@ -105,7 +106,9 @@ impl Image {
 
     /// What a display shows: clip(L, 0, 1)^(1/2.2), 0..1. NaN shows black.
     pub fn displayed(&self) -> Self {
-        self.map(|pixel| pixel.map(displayed))
+        let mut shown = self.map(|pixel| pixel.map(clipped));
+        powers(Rgb::flat_mut(&mut shown.pixels), 1.0 / DISPLAY_GAMMA);
+        shown
     }
 
     /// The images side by side, tops aligned, `gap` black columns between them.
@@ -145,11 +148,6 @@ impl Image {
             self.pixels[start..start + image.width].copy_from_slice(row);
         }
     }
-}
-
-fn displayed(linear: f32) -> f32 {
-    let clipped = clipped(linear);
-    if clipped == 0.0 { 0.0 } else { clipped.powf(1.0 / DISPLAY_GAMMA) }
 }
 
 /// Clipped to 0..1; NaN, which `clamp` would keep, becomes 0.

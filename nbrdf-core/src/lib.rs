@@ -47,6 +47,7 @@ pub mod render;
 pub mod representation;
 pub mod sampler;
 pub mod sampling;
+pub mod simd;
 pub mod split;
 
 pub use brdf::Brdf;

@@ -22,10 +22,11 @@ use std::any::Any;
 use std::ops::Range;
 
 use crate::brdf::Prepared;
+use crate::simd::InstructionSet;
 use crate::{Brdf, Directions, Rgb};
 use kernel::{Packed, Sign};
 
-pub use kernel::{InstructionSet, Live};
+pub use kernel::Live;
 pub use shape::{ARRAYS, ShapeError};
 
 /// Inputs of the network: h.x h.y h.z d.x d.y d.z.

@@ -5,7 +5,7 @@ use std::time::Instant;
 
 use pulp::{Simd, WithSimd};
 
-use crate::nbrdf::InstructionSet;
+use crate::simd::InstructionSet;
 
 /// Independent sums: more than latency times throughput on every processor in use, fewer than it has registers.
 const SUMS: usize = 12;

@@ -5,7 +5,7 @@ use std::{io::Cursor, path::Path};
 use image::{ExtendedColorType, ImageEncoder, codecs::png::PngEncoder};
 
 use super::{Image, ImageError};
-use crate::atomic;
+use crate::{Rgb, atomic};
 
 impl Image {
     /// The displayed image as a PNG file in memory.
@@ -28,7 +28,7 @@ impl Image {
 
     /// Displayed values as bytes: red, green, blue of each pixel, row by row from the top left.
     pub fn display_bytes(&self) -> Vec<u8> {
-        self.displayed().pixels.iter().flat_map(|pixel| pixel.0.map(|v| (v * 255.0).round() as u8)).collect()
+        Rgb::flat(&self.displayed().pixels).iter().map(|v| (v * 255.0).round() as u8).collect()
     }
 
     /// Writes the displayed image as PNG; the file is whole or not there.

@@ -6,11 +6,12 @@ use pulp::{Simd, WithSimd};
 
 use super::kernel::dense::{dense, pack};
 use super::kernel::outer::{Partial, accumulate};
-use super::kernel::{Activations, Block, InstructionSet, LANES, Lanes, Live, ORDER, Packed};
+use super::kernel::{Activations, Block, Live, ORDER, Packed};
 use super::tangent::stop_where_silent;
 use super::{INPUTS, Layout, weight_count};
 use crate::Rgb;
 use crate::brdf::Prepared;
+use crate::simd::{InstructionSet, LANES, Lanes};
 
 /// Blocks back-propagated together: their derivatives stay in the first-level cache.
 const GROUP: usize = 4;

@@ -5,10 +5,7 @@
 //! vectors: AVX2, AVX-512 and NEON give the same bits, the portable path (no fused multiply-add) differs in the last.
 
 pub(crate) mod dense;
-mod exponential;
 mod half_diff;
-mod instruction_set;
-mod lanes;
 pub(crate) mod outer;
 mod packed;
 
@@ -17,13 +14,11 @@ use std::cell::RefCell;
 use pulp::{Simd, WithSimd};
 
 use super::INPUTS;
+use crate::simd::{InstructionSet, LANES, Lanes, exp_minus_one};
 use crate::{Directions, Rgb};
 use dense::dense;
 
-pub(crate) use exponential::exp_minus_one;
 pub(crate) use half_diff::{Block, ORDER};
-pub use instruction_set::InstructionSet;
-pub(crate) use lanes::{LANES, Lanes};
 pub use packed::Live;
 pub(crate) use packed::Packed;
 

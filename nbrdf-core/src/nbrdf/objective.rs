@@ -5,6 +5,7 @@
 
 use crate::Rgb;
 use crate::nbrdf::samples::Samples;
+use crate::simd::{logarithms, powers};
 
 /// What ln(f c + …) adds, so that black has a logarithm.
 pub const DARKEST: f32 = 1e-3;
@@ -106,16 +107,24 @@ pub fn features(samples: &Samples, values: &[Rgb]) -> Vec<f32> {
 /// As [`features`], into a given slice.
 pub fn features_into(samples: &Samples, values: &[Rgb], out: &mut [f32]) {
     let [log, relative, display] = sections(samples);
+    let logarithmic = relative.end;
     for i in log {
-        out[i] = (1.0 + values[i / 3][i % 3] * samples.factors[i / 3]).max(0.1).ln();
+        out[i] = (1.0 + values[i / 3][i % 3] * samples.factors[i / 3]).max(0.1);
     }
     for i in relative {
-        out[i] = ((values[i / 3][i % 3] * samples.factors[i / 3]).max(0.0) + DARKEST).ln();
+        out[i] = (values[i / 3][i % 3] * samples.factors[i / 3]).max(0.0) + DARKEST;
     }
-    for (pixel, out) in out[display].chunks_exact_mut(3).enumerate() {
-        let radiance = radiance(samples, values, pixel);
-        for (out, radiance) in out.iter_mut().zip(radiance.0) {
-            *out = displayed(radiance);
+    logarithms(&mut out[..logarithmic]);
+    let displayed = &mut out[display];
+    for (pixel, out) in displayed.chunks_exact_mut(3).enumerate() {
+        out.copy_from_slice(&radiance(samples, values, pixel).map(toe).0);
+    }
+    powers(displayed, DISPLAY);
+    for (pixel, out) in displayed.chunks_exact_mut(3).enumerate() {
+        for (out, radiance) in out.iter_mut().zip(radiance(samples, values, pixel).0) {
+            if radiance < DISPLAY_TOE {
+                *out = radiance * DISPLAY_TOE.powf(DISPLAY - 1.0);
+            }
         }
     }
 }
@@ -176,9 +185,9 @@ fn radiance(samples: &Samples, values: &[Rgb], pixel: usize) -> Rgb {
         .fold(Rgb::BLACK, |sum, lamp| sum + values[lamp].map(|f| f.max(0.0)) * samples.factors[lamp])
 }
 
-fn displayed(radiance: f32) -> f32 {
-    let clipped = radiance.min(1.0);
-    if clipped < DISPLAY_TOE { clipped * DISPLAY_TOE.powf(DISPLAY - 1.0) } else { clipped.powf(DISPLAY) }
+/// Where the display curve is a power: neither clipped nor straight.
+fn toe(radiance: f32) -> f32 {
+    radiance.clamp(DISPLAY_TOE, 1.0)
 }
 
 /// Slope of the display curve; a clipped pixel keeps a little, or it could never come back.

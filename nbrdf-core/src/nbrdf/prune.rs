@@ -15,6 +15,7 @@ use super::kernel::{Activations, Block, Live, Packed};
 use super::{Layout, Nbrdf};
 use crate::brdf::Prepared;
 use crate::sampling::rus32k;
+use crate::simd::LANES;
 use affine::Affine;
 use region::Region;
 
@@ -54,7 +55,7 @@ impl Nbrdf {
         let mut fires = self.hidden.map(|width| vec![false; width]);
         for (index, Block { inputs, .. }) in at.blocks().iter().enumerate() {
             // Unused lanes of the last block are no directions.
-            let lanes = (at.len() - index * super::kernel::LANES).min(super::kernel::LANES);
+            let lanes = (at.len() - index * LANES).min(LANES);
             activations.forward(pulp::Scalar::new(), &packed, inputs);
             for (fires, layer) in fires.iter_mut().zip([&activations.first, &activations.second]) {
                 for (fires, unit) in fires.iter_mut().zip(layer) {

@@ -4,10 +4,11 @@
 use pathfinding::kuhn_munkres::kuhn_munkres;
 use pathfinding::matrix::Matrix;
 
-use super::kernel::{Activations, LANES, Live, Packed};
+use super::kernel::{Activations, Live, Packed};
 use super::samples::{SampleCounts, Samples};
 use super::{INPUTS, Layout, Nbrdf};
 use crate::nbrdf::fit::generator;
+use crate::simd::LANES;
 
 /// Reorders the hidden units: unit `i` of layer `l` becomes what was unit `order[l][i]`. The function stays the same.
 ///

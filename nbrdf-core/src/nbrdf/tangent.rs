@@ -8,10 +8,11 @@ use pulp::{Simd, WithSimd};
 use rayon::prelude::*;
 
 use super::kernel::dense::{dense, pack};
-use super::kernel::{Activations, Block, InstructionSet, LANES, Lanes, Live, ORDER, Packed};
+use super::kernel::{Activations, Block, Live, ORDER, Packed};
 use super::{INPUTS, Layout, weight_count};
 use crate::Rgb;
 use crate::brdf::Prepared;
+use crate::simd::{InstructionSet, LANES, Lanes};
 
 /// f_r before the clamp at 0, and its derivatives.
 #[derive(Clone, Debug, PartialEq)]

@@ -6,7 +6,7 @@
 
 use pulp::Simd;
 
-use super::lanes::{LANES, Lanes};
+use crate::simd::{LANES, Lanes};
 
 /// Most outputs summed together.
 const LARGEST_TILE: usize = 6;

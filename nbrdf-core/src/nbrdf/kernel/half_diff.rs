@@ -8,8 +8,8 @@
 use pulp::Simd;
 
 use super::INPUTS;
-use super::lanes::{LANES, Lanes};
 use crate::Directions;
+use crate::simd::{LANES, Lanes};
 
 /// One block of pairs as network inputs.
 #[derive(Clone, Copy, Debug)]

@@ -2,7 +2,7 @@
 
 use pulp::Simd;
 
-use super::lanes::{LANES, Lanes};
+use crate::simd::{LANES, Lanes};
 
 /// Partial sums per weight. The same for all vector sets, so that all give the same bits.
 pub(crate) const PARTIAL: usize = 16;

@@ -109,46 +109,6 @@ fn the_sine_of_the_half_angle_keeps_its_digits_near_the_normal() {
     }
 }
 
-struct Exponential<'a>(&'a mut [Lanes]);
-
-impl WithSimd for Exponential<'_> {
-    type Output = ();
-
-    #[inline(always)]
-    fn with_simd<S: Simd>(self, simd: S) {
-        for lanes in self.0 {
-            lanes.vectors_mut::<S>().iter_mut().for_each(|y| *y = exp_minus_one(simd, *y));
-        }
-    }
-}
-
-/// Distance of two numbers in units of the last place of the exact one.
-fn ulps(own: f32, exact: f64) -> f64 {
-    let rounded = exact as f32;
-    let spacing = f64::from(f32::from_bits(rounded.abs().to_bits() + 1)) - f64::from(rounded.abs());
-    (f64::from(own) - exact).abs() / spacing
-}
-
-#[test]
-fn exp_minus_one_is_within_two_ulp_and_finite_everywhere() {
-    let mut ys: Vec<f32> = (0..200_000).map(|i| -20.0 + i as f32 * 5e-4).collect();
-    ys.extend((0..400).flat_map(|i| [1.0, -1.0].map(|sign| sign * 0.9f32.powi(i))));
-    ys.resize(ys.len().next_multiple_of(LANES), 0.0);
-    for set in InstructionSet::available() {
-        let mut lanes: Vec<Lanes> = ys.as_chunks().0.iter().map(|ys| Lanes(*ys)).collect();
-        set.run(Exponential(&mut lanes));
-        let own = lanes.iter().flat_map(|lanes| lanes.0);
-        let errors = ys.iter().zip(own).map(|(&y, own)| (ulps(own, f64::from(y).exp_m1()), y));
-        let worst = errors.fold((0.0, 0.0), |worst, error| if error.0 > worst.0 { error } else { worst });
-        let allowed = if matches!(set, InstructionSet::Portable(_)) { 4.0 } else { 2.0 };
-        assert!(worst.0 <= allowed, "{}: {} ulp at y = {}", set.name(), worst.0, worst.1);
-        let mut extreme = [Lanes::ZERO];
-        extreme[0].0[..6].copy_from_slice(&[1e30, f32::INFINITY, -1e30, f32::NEG_INFINITY, f32::NAN, f32::MAX]);
-        set.run(Exponential(&mut extreme));
-        assert!(extreme[0].0.iter().all(|v| v.is_finite()), "{}: {:?}", set.name(), extreme[0].0);
-    }
-}
-
 #[test]
 fn networks_with_enormous_weights_stay_finite() {
     for size in [1e10f32, 1e20, 1.5e38] {

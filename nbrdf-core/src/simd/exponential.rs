@@ -5,11 +5,9 @@ use pulp::Simd;
 /// The result stays finite, whatever the weights.
 const LARGEST_EXPONENT: f32 = 80.0;
 
-/// `exp(y) − 1` within 2 ulp: 2ⁿ(exp(r) − 1) + (2ⁿ − 1) with |r| ≤ ½ ln 2, Taylor to r⁷ (remainder 6·10⁻⁹ r).
-///
-/// y is taken into −80..80 first; NaN gives −1 or a finite number, never NaN.
+/// exp(y) = 2ⁿ(1 + p) as 2ⁿ and p = exp(r) − 1, with |r| ≤ ½ ln 2 and Taylor to r⁷ (remainder 6·10⁻⁹ r).
 #[inline(always)]
-pub(crate) fn exp_minus_one<S: Simd>(simd: S, y: S::f32s) -> S::f32s {
+fn parts<S: Simd>(simd: S, y: S::f32s) -> (S::f32s, S::f32s) {
     const ROUND: f32 = 12_582_912.0; // 1.5 · 2²³: after adding it, the low bits are the nearest integer
     const LN2_HIGH: f32 = 0.693_359_4;
     const LN2_LOW: f32 = -2.121_944_4e-4;
@@ -25,6 +23,21 @@ pub(crate) fn exp_minus_one<S: Simd>(simd: S, y: S::f32s) -> S::f32s {
     }
     let p = simd.mul_add_e_f32s(simd.mul_f32s(p, r), r, r);
     let exponent = simd.add_u32s(simd.transmute_u32s_f32s(rounded), simd.splat_u32s(127));
-    let power = simd.transmute_f32s_u32s(simd.wrapping_dyn_shl_u32s(exponent, simd.splat_u32s(23)));
-    simd.mul_add_e_f32s(power, p, simd.sub_f32s(power, constant(1.0)))
+    (simd.transmute_f32s_u32s(simd.wrapping_dyn_shl_u32s(exponent, simd.splat_u32s(23))), p)
+}
+
+/// `exp(y) − 1` within 2 ulp, as 2ⁿ p + (2ⁿ − 1).
+///
+/// y is taken into −80..80 first; NaN gives −1 or a finite number, never NaN.
+#[inline(always)]
+pub(crate) fn exp_minus_one<S: Simd>(simd: S, y: S::f32s) -> S::f32s {
+    let (power, p) = parts(simd, y);
+    simd.mul_add_e_f32s(power, p, simd.sub_f32s(power, simd.splat_f32s(1.0)))
+}
+
+/// `exp(y)` within 2 ulp; y is taken into −80..80 first.
+#[inline(always)]
+pub(super) fn exp<S: Simd>(simd: S, y: S::f32s) -> S::f32s {
+    let (power, p) = parts(simd, y);
+    simd.mul_add_e_f32s(power, p, power)
 }
