@@ -272,10 +272,11 @@ fn a_shared_start_import_gives_the_same_bytes_for_the_same_seed() {
 }
 
 #[test]
-fn training_twice_gives_the_same_checkpoint_and_its_codes_are_told_from_others() {
+fn training_gives_the_same_checkpoint_for_any_number_of_threads_and_its_codes_are_told_from_others() {
     let place = Place::new();
-    for output in ["a.safetensors", "b.safetensors"] {
-        let report = place.run(&["train", "--steps", "20", "--seed", "3", "-o", output, "--json"]).json();
+    for (output, threads) in [("a.safetensors", "1"), ("b.safetensors", "3")] {
+        let steps = ["train", "--steps", "20", "--seed", "3", "-o", output, "--threads", threads, "--json"];
+        let report = place.run(&steps).json();
         assert_eq!(report["model"], "znbrdf");
     }
     assert_eq!(place.file("a.safetensors"), place.file("b.safetensors"));

@@ -9,6 +9,7 @@ use safetensors::tensor::{Dtype, TensorView};
 use safetensors::{SafeTensors, serialize};
 
 use crate::model::Model;
+use crate::parameters::Parameter;
 use crate::probe::{PROBES, probe_directions};
 
 /// Largest checkpoint read \[bytes\].
@@ -110,7 +111,7 @@ impl Checkpoint {
 
     /// Puts the file's numbers into a model's trainable tensors.
     pub fn restore(&self, model: &dyn Model) -> Result<(), CheckpointError> {
-        for (name, var) in model.parameters().iter() {
+        for Parameter { name, var, .. } in model.parameters().iter() {
             let values = self.tensor(name, var.dims())?;
             var.set(&Tensor::from_slice(values, var.shape(), &Device::Cpu)?)?;
         }
@@ -144,7 +145,7 @@ pub(crate) fn probe_tensors() -> (Vec<f32>, Vec<f32>) {
 
 /// All tensors of a model, by name.
 pub(crate) fn tensors_of(model: &dyn Model) -> Vec<(String, Tensor)> {
-    let trained = model.parameters().iter().map(|(name, var)| (name.to_owned(), var.as_tensor().clone()));
+    let trained = model.parameters().iter().map(|own| (own.name.clone(), own.var.as_tensor().clone()));
     let constants = model.constants().into_iter().map(|(name, tensor)| (name.to_owned(), tensor.clone()));
     trained.chain(constants).collect()
 }

@@ -8,6 +8,7 @@ pub(crate) use znbrdf::{FEATURES, ZnbrdfModel};
 
 use candle_core::{Result, Tensor};
 
+use crate::activation::Activation;
 use crate::parameters::Parameters;
 
 /// Numbers in a code.
@@ -25,17 +26,19 @@ pub(crate) trait Model {
     fn decode(&self, code: &Tensor) -> Result<Tensor>;
 }
 
-/// Dense layers `name.0`, `name.1`, ... with `activation` between them.
+/// Dense layers `name.0`, `name.1`, ... with `activation` between them, and `last` after the last.
 pub(crate) fn chain(
     parameters: &Parameters,
     name: &str,
     layers: usize,
     x: &Tensor,
-    activation: impl Fn(&Tensor) -> Result<Tensor>,
+    activation: Activation,
+    last: Option<Activation>,
 ) -> Result<Tensor> {
-    let mut x = parameters.dense(&format!("{name}.0"), x)?;
-    for layer in 1..layers {
-        x = parameters.dense(&format!("{name}.{layer}"), &activation(&x)?)?;
+    let mut x = x.clone();
+    for layer in 0..layers {
+        let follows = if layer + 1 < layers { Some(activation) } else { last };
+        x = parameters.dense(&format!("{name}.{layer}"), &x, follows)?;
     }
     Ok(x)
 }

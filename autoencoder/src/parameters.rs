@@ -1,11 +1,25 @@
 //! Named trainable tensors, their initial values, and dense layers on them.
 
-use candle_core::{Device, Result, Tensor, Var};
+use std::sync::{Arc, Mutex};
+
+use candle_core::{DType, Device, Result, Tensor, Var};
 use rand::{Rng, RngExt};
+
+use crate::activation::Activation;
+use crate::layer::{Gradients, dense};
 
 /// Trainable tensors in a fixed order.
 pub(crate) struct Parameters {
-    entries: Vec<(String, Var)>,
+    entries: Vec<Parameter>,
+}
+
+/// A trainable tensor.
+pub(crate) struct Parameter {
+    pub name: String,
+    pub var: Var,
+    /// Where a backward pass leaves its gradient: always the same memory, which candle's own bookkeeping would allocate,
+    /// clear and add up anew in every step.
+    pub gradient: Arc<Mutex<Vec<f32>>>,
 }
 
 impl Parameters {
@@ -26,31 +40,29 @@ impl Parameters {
         let limit = scale * (6.0 / (inputs + outputs) as f32).sqrt();
         let weight: Vec<f32> = (0..inputs * outputs).map(|_| rng.random_range(-limit..=limit)).collect();
         self.add(format!("{name}.weight"), Tensor::from_vec(weight, (outputs, inputs), &Device::Cpu)?)?;
-        self.add(format!("{name}.bias"), Tensor::zeros(outputs, candle_core::DType::F32, &Device::Cpu)?)
+        self.add(format!("{name}.bias"), Tensor::zeros(outputs, DType::F32, &Device::Cpu)?)
     }
 
-    /// Adds a tensor.
-    pub fn add(&mut self, name: String, value: Tensor) -> Result<()> {
-        self.entries.push((name, Var::from_tensor(&value)?));
+    fn add(&mut self, name: String, value: Tensor) -> Result<()> {
+        let gradient = Arc::new(Mutex::new(vec![0.0; value.elem_count()]));
+        self.entries.push(Parameter { name, var: Var::from_tensor(&value)?, gradient });
         Ok(())
     }
 
     /// In the order in which they were added.
-    pub fn iter(&self) -> impl Iterator<Item = (&str, &Var)> {
-        self.entries.iter().map(|(name, var)| (name.as_str(), var))
+    pub fn iter(&self) -> std::slice::Iter<'_, Parameter> {
+        self.entries.iter()
     }
 
-    fn get(&self, name: &str) -> Result<&Tensor> {
-        let found = self.entries.iter().find(|(entry, _)| entry == name);
-        found.map(|(_, var)| var.as_tensor()).ok_or_else(|| candle_core::Error::Msg(format!("no parameter '{name}'")))
+    fn get(&self, name: &str) -> Result<&Parameter> {
+        let found = self.entries.iter().find(|entry| entry.name == name);
+        found.ok_or_else(|| candle_core::Error::Msg(format!("no parameter '{name}'")))
     }
 
-    /// `x Wᵀ + b` for x \[rows, inputs\].
-    ///
-    /// The bias enters as a product with ones: the derivative of a broadcast is a sum that candle does slowly.
-    pub fn dense(&self, name: &str, x: &Tensor) -> Result<Tensor> {
-        let bias = self.get(&format!("{name}.bias"))?;
-        let ones = Tensor::ones((x.dim(0)?, 1), candle_core::DType::F32, x.device())?;
-        x.matmul(&self.get(&format!("{name}.weight"))?.t()?)? + ones.matmul(&bias.unsqueeze(0)?)?
+    /// `activation(x Wᵀ + b)` \[rows, outputs\] of the layer `name` for x \[rows, inputs\]; a layer stands once in a model.
+    pub fn dense(&self, name: &str, x: &Tensor, activation: Option<Activation>) -> Result<Tensor> {
+        let (weight, bias) = (self.get(&format!("{name}.weight"))?, self.get(&format!("{name}.bias"))?);
+        let gradients = Gradients { weight: Arc::clone(&weight.gradient), bias: Arc::clone(&bias.gradient) };
+        dense(x, &weight.var, &bias.var, activation, gradients)
     }
 }

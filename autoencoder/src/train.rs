@@ -130,7 +130,7 @@ pub fn train(
 ) -> Result<Autoencoder, TrainError> {
     let Prepared { model, batches, objective } = prepare(data, options)?;
     let model = model.as_ref();
-    let mut optimizer = AdamW::new(model.parameters())?;
+    let mut optimizer = AdamW::new(model.parameters());
     let fingerprint = fingerprint(data);
     let run = state::Run { options, data: &fingerprint };
     let state = state::path(out);
@@ -219,7 +219,9 @@ fn one_step(
     };
     let weights = model.decode(&model.encode(&input)?)?;
     let loss = decoded_loss(&weights, objective, batch.targets)?.mean_all()?;
-    optimizer.step(model.parameters(), &loss.backward()?, rate)?;
+    // The layers leave their gradients with the parameters.
+    loss.backward()?;
+    optimizer.step(model.parameters(), rate)?;
     Ok(f64::from(loss.to_scalar::<f32>()?))
 }
 

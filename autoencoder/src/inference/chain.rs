@@ -2,33 +2,10 @@
 
 use std::cell::Cell;
 
-use nbrdf_core::dense::{Bias, Dense, silu};
+use nbrdf_core::dense::{Bias, Dense};
 
+use crate::activation::Activation;
 use crate::checkpoint::{Checkpoint, CheckpointError};
-
-/// What stands between two layers.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Activation {
-    /// x / (1 + exp(−x)).
-    Silu,
-    /// max(0, x).
-    Relu,
-}
-
-impl Activation {
-    /// In place; `slopes`, where asked for, becomes the derivatives.
-    fn apply(self, x: &mut [f32], slopes: Option<&mut [f32]>) {
-        match self {
-            Self::Silu => silu(x, slopes),
-            Self::Relu => {
-                if let Some(slopes) = slopes {
-                    slopes.iter_mut().zip(&*x).for_each(|(slope, x)| *slope = f32::from(u8::from(*x > 0.0)));
-                }
-                x.iter_mut().for_each(|x| *x = x.max(0.0));
-            }
-        }
-    }
-}
 
 /// Dense layers with an activation between them.
 pub(crate) struct Chain {

@@ -3,7 +3,8 @@
 use nbrdf_core::nbrdf::PUBLISHED_WEIGHTS;
 
 use super::Inference;
-use super::chain::{Activation, Chain};
+use super::chain::Chain;
+use crate::activation::Activation;
 use crate::checkpoint::{Checkpoint, CheckpointError};
 use crate::model::DIM;
 use crate::model::published::{DECODER, ENCODER};

@@ -6,7 +6,8 @@ use nbrdf_core::dense::{Bias, Dense};
 use nbrdf_core::nbrdf::{PUBLISHED_HIDDEN, PUBLISHED_WEIGHTS};
 
 use super::Inference;
-use super::chain::{Activation, Chain, dense};
+use super::chain::{Chain, dense};
+use crate::activation::Activation;
 use crate::checkpoint::{Checkpoint, CheckpointError};
 use crate::model::DIM;
 use crate::model::znbrdf::{BODY, CHANNEL, EMBEDDING, HEAD, SHARED, TRUNK, channel_mean};

@@ -8,6 +8,7 @@ use nbrdf_core::nbrdf::PUBLISHED_WEIGHTS;
 use rand::Rng;
 
 use super::{DIM, Model, add_chain, chain};
+use crate::activation::Activation;
 use crate::parameters::Parameters;
 
 /// Widths of the encoder's layers.
@@ -45,11 +46,11 @@ impl Model for PublishedModel {
     /// Inputs \[rows, 675\]: weights as they come.
     fn encode(&self, input: &Tensor) -> Result<Tensor> {
         let standard = input.broadcast_sub(&self.mean)?.broadcast_div(&self.spread)?;
-        chain(&self.parameters, "encoder", 2, &standard, Tensor::relu)
+        chain(&self.parameters, "encoder", 2, &standard, Activation::Relu, None)
     }
 
     fn decode(&self, code: &Tensor) -> Result<Tensor> {
-        let standard = chain(&self.parameters, "decoder", 2, code, Tensor::relu)?;
+        let standard = chain(&self.parameters, "decoder", 2, code, Activation::Relu, None)?;
         standard.broadcast_mul(&self.spread)?.broadcast_add(&self.mean)
     }
 }

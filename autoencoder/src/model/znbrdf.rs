@@ -8,6 +8,7 @@ use nbrdf_core::nbrdf::{PUBLISHED_HIDDEN, PUBLISHED_WEIGHTS};
 use rand::Rng;
 
 use super::{Model, add_chain, chain};
+use crate::activation::Activation;
 use crate::parameters::Parameters;
 use crate::probe::PROBES;
 
@@ -76,11 +77,12 @@ impl Model for ZnbrdfModel {
         let rows = input.dim(0)?;
         let p = &self.parameters;
         let x = input.reshape((rows * 3, FEATURES))?;
-        let embedding = chain(p, "encoder.body", 3, &x, Tensor::silu)?.silu()?.reshape((rows, 3, EMBEDDING))?;
+        let embedding = chain(p, "encoder.body", 3, &x, Activation::Silu, Some(Activation::Silu))?;
+        let embedding = embedding.reshape((rows, 3, EMBEDDING))?;
         let mean = Self::mean(&embedding)?;
-        let shared = p.dense("encoder.shared", &mean)?;
+        let shared = p.dense("encoder.shared", &mean, None)?;
         let both = Tensor::cat(&[&embedding, &Self::repeat(&mean)?], D::Minus1)?;
-        let channels = p.dense("encoder.channel", &both.reshape((rows * 3, 2 * EMBEDDING))?)?;
+        let channels = p.dense("encoder.channel", &both.reshape((rows * 3, 2 * EMBEDDING))?, None)?;
         Tensor::cat(&[&shared, &channels.reshape((rows, 3 * CHANNEL))?], 1)
     }
 
@@ -90,11 +92,11 @@ impl Model for ZnbrdfModel {
         let shared = code.narrow(1, 0, SHARED)?;
         let channels = code.narrow(1, SHARED, 3 * CHANNEL)?.reshape((rows, 3, CHANNEL))?;
         let common = Tensor::cat(&[&shared, &Self::mean(&channels)?], 1)?;
-        let inner = chain(p, "decoder.trunk", 3, &common, Tensor::silu)?;
+        let inner = chain(p, "decoder.trunk", 3, &common, Activation::Silu, None)?;
         let own = Tensor::cat(&[&Self::repeat(&common)?, &channels], 2)?;
         let own = own.reshape((rows * 3, SHARED + 2 * CHANNEL))?;
         let width = PUBLISHED_HIDDEN[1];
-        let columns = chain(p, "decoder.head", 3, &own, Tensor::silu)?.reshape((rows, 3, width + 1))?;
+        let columns = chain(p, "decoder.head", 3, &own, Activation::Silu, None)?.reshape((rows, 3, width + 1))?;
         let kernel = columns.narrow(2, 0, width)?.transpose(1, 2)?.contiguous()?.reshape((rows, 3 * width))?;
         let bias = columns.narrow(2, width, 1)?.reshape((rows, 3))?;
         let offset = Tensor::cat(&[&inner, &kernel, &bias], 1)?;

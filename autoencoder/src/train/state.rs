@@ -8,6 +8,7 @@ use super::{TrainError, TrainOptions};
 use crate::checkpoint::{self, Checkpoint, tensors_of};
 use crate::model::Model;
 use crate::optimizer::AdamW;
+use crate::parameters::Parameter;
 
 const KEY: &str = "training";
 
@@ -37,10 +38,10 @@ pub(super) fn path(out: &Path) -> PathBuf {
 /// Writes the state whole or not at all.
 pub(super) fn save(path: &Path, run: Run, model: &dyn Model, optimizer: &AdamW) -> Result<(), TrainError> {
     let mut tensors = tensors_of(model);
-    let names = model.parameters().iter().map(|(name, _)| name);
-    for ((name, mean), square) in names.zip(&optimizer.mean).zip(&optimizer.square) {
-        tensors.push((format!("mean.{name}"), mean.clone()));
-        tensors.push((format!("square.{name}"), square.clone()));
+    for (Parameter { name, var, .. }, moments) in model.parameters().iter().zip(&optimizer.moments) {
+        let tensor = |values: &[f32]| Tensor::from_slice(values, var.shape(), &Device::Cpu);
+        tensors.push((format!("mean.{name}"), tensor(&moments.mean)?));
+        tensors.push((format!("square.{name}"), tensor(&moments.square)?));
     }
     let header = Header { step: optimizer.step, options: run.options.clone(), data: run.data.to_owned() };
     Ok(checkpoint::save(path, &tensors, (KEY, &serde_json::json!(header).to_string()))?)
@@ -60,13 +61,10 @@ pub(super) fn load(path: &Path, run: Run, model: &dyn Model, optimizer: &mut Ada
         return Err(TrainError::OtherRun { path: file.path, expected: show(&expected), found: show(&header) });
     }
     file.restore(model)?;
-    for (index, (name, var)) in model.parameters().iter().enumerate() {
-        let moment = |kind: &str| -> Result<Tensor, TrainError> {
-            let values = file.tensor(&format!("{kind}.{name}"), var.dims())?;
-            Ok(Tensor::from_slice(values, var.shape(), &Device::Cpu)?)
-        };
-        optimizer.mean[index] = moment("mean")?;
-        optimizer.square[index] = moment("square")?;
+    for (Parameter { name, var, .. }, moments) in model.parameters().iter().zip(&mut optimizer.moments) {
+        let moment = |kind: &str| file.tensor(&format!("{kind}.{name}"), var.dims());
+        moments.mean.copy_from_slice(moment("mean")?);
+        moments.square.copy_from_slice(moment("square")?);
     }
     optimizer.step = header.step;
     Ok(())

@@ -6,6 +6,16 @@ use crate::brdf::Prepared;
 use crate::direction::spherical;
 use crate::{Brdf, Directions, Rgb, Vec3};
 
+/// How directions are drawn.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Angular {
+    /// Uniform in θ_half, θ_diff, φ_diff: the adaptive angular sampling of Sztrajman et al. (2021), section 3.2. Half
+    /// vectors near the normal, where highlights are, get far more than their share of the solid angle.
+    HalfDifference,
+    /// Light and view uniform over the hemisphere: for comparison.
+    SolidAngle,
+}
+
 /// How many samples of each kind.
 #[derive(Clone, Copy, Debug)]
 pub struct SampleCounts {
@@ -44,10 +54,18 @@ pub struct Samples {
 impl Samples {
     /// Draws directions uniformly in (θ_half, θ_diff, φ_diff), and pixels uniformly over a sphere's disc.
     pub fn random(rng: &mut impl Rng, counts: SampleCounts) -> Self {
+        Self::drawn(rng, counts, Angular::HalfDifference)
+    }
+
+    /// As [`random`](Self::random), with directions drawn either way.
+    pub fn drawn(rng: &mut impl Rng, counts: SampleCounts, angular: Angular) -> Self {
         let mut directions = Vec::with_capacity(counts.directions());
         let mut factors = Vec::with_capacity(counts.directions());
         while directions.len() < counts.log + counts.relative {
-            let at = random_directions(rng);
+            let at = match angular {
+                Angular::HalfDifference => random_directions(rng),
+                Angular::SolidAngle => Directions::new(random_upward(rng), random_upward(rng)),
+            };
             if at.is_above() {
                 directions.push(at);
                 factors.push(at.light.z);
@@ -113,6 +131,12 @@ pub(crate) fn random_directions(rng: &mut impl Rng) -> Directions {
         phi_half: 0.0,
     }
     .directions()
+}
+
+/// A direction uniform over the hemisphere.
+fn random_upward(rng: &mut impl Rng) -> Vec3 {
+    let cos: f32 = rng.random_range(0.0..1.0);
+    spherical(cos.acos(), rng.random_range(0.0..std::f32::consts::TAU))
 }
 
 /// A light above the surface and not behind the sphere.
