@@ -2,6 +2,7 @@
 
 pub mod families;
 pub mod path_quality;
+pub mod speed;
 mod target;
 
 pub use target::{Target, higher_is_better};

@@ -147,13 +147,13 @@ pub fn train(
         loss_sum += loss;
         let done = optimizer.step;
         let mut stop = false;
-        if done % REPORT_EVERY == 0 {
+        if done.is_multiple_of(REPORT_EVERY) {
             let report = Progress { step: done, loss: loss_sum / REPORT_EVERY as f64 };
             loss_sum = 0.0;
             let now = Autoencoder::of(options.architecture, &Checkpoint::of(model)?)?;
             stop = progress(report, &now).is_break();
         }
-        if stop || done % SAVE_EVERY == 0 {
+        if stop || done.is_multiple_of(SAVE_EVERY) {
             state::save(&state, run, model, &optimizer)?;
         }
         if stop && done < options.steps {

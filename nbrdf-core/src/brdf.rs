@@ -3,7 +3,9 @@
 pub mod ggx;
 pub mod lambert;
 pub mod microfacet;
+pub(crate) mod pairs;
 mod prepared;
+pub mod table;
 
 pub use prepared::Prepared;
 

@@ -4,14 +4,20 @@
 //! included, median of at least 30 repeats. All models and the reference loop take turns in one run, so that a busy
 //! machine slows all of them alike: the ratio means more than the nanoseconds.
 
+mod fixed_arrays;
 mod peak;
 mod reference_loop;
+mod with_set;
 
 use std::hint::black_box;
 use std::time::Instant;
 
+use serde::Serialize;
+
+pub use fixed_arrays::FixedArrays;
 pub use peak::peak_fma;
 pub use reference_loop::ReferenceLoop;
+pub use with_set::WithSet;
 
 use crate::brdf::Prepared;
 use crate::nbrdf::fit::{generator, random_network};
@@ -35,7 +41,7 @@ pub enum From {
 }
 
 /// Cost of one evaluation.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Cost {
     /// Nanoseconds per evaluation, three channels together.
     pub ns: f64,
@@ -96,6 +102,17 @@ impl Track {
     }
 }
 
+/// Median seconds of a piece of work; one run before is not counted.
+pub fn seconds(repeats: usize, mut work: impl FnMut()) -> f64 {
+    work();
+    let time = |_| {
+        let start = Instant::now();
+        work();
+        start.elapsed().as_secs_f64()
+    };
+    median(&mut (0..repeats).map(time).collect::<Vec<_>>())
+}
+
 /// The middle one; the mean of the two middle ones where there are two.
 fn median(values: &mut [f64]) -> f64 {
     values.sort_by(f64::total_cmp);
@@ -104,5 +121,36 @@ fn median(values: &mut [f64]) -> f64 {
         0 => f64::NAN,
         n if n % 2 == 1 => values[middle],
         _ => 0.5 * (values[middle - 1] + values[middle]),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::brdf::lambert::Lambert;
+
+    #[test]
+    fn a_batch_is_valid_directions_and_the_same_each_time() {
+        let track = Track::new(3);
+        assert_eq!(track.directions().len(), BATCH);
+        assert!(track.directions().iter().all(|at| at.is_above()));
+        assert_eq!(track.directions(), Track::new(3).directions());
+    }
+
+    #[test]
+    fn the_reference_loop_is_once_as_fast_as_itself_and_slower_than_a_constant() {
+        let reference = ReferenceLoop::new(&random_network(0, 0));
+        let grey = Lambert { albedo: Rgb::splat(0.5) };
+        let models: [(&dyn Brdf, From); 2] = [(&reference, From::Directions), (&grey, From::Directions)];
+        let costs = Track::new(0).measure(&models, 5);
+        assert!(costs.iter().all(|cost| cost.ns > 0.0));
+        assert!(costs[1].ratio_to_reference_loop > costs[0].ratio_to_reference_loop);
+    }
+
+    #[test]
+    fn the_median_does_not_mind_one_interruption() {
+        assert_eq!(median(&mut [1.0, 100.0, 2.0]), 2.0);
+        assert_eq!(median(&mut [4.0, 1.0, 2.0, 100.0]), 3.0);
+        assert!(median(&mut []).is_nan());
     }
 }

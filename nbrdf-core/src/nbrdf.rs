@@ -189,6 +189,14 @@ impl Nbrdf {
         kernel::forward(set, &self.packed, Sign::Clamped, at, out);
     }
 
+    /// As [`eval_with`](Self::eval_with), from prepared pairs: the network alone.
+    ///
+    /// # Panics
+    /// If `at` and `out` differ in length (a bug of the caller).
+    pub fn eval_prepared_with(&self, set: InstructionSet, at: &Prepared, out: &mut [Rgb]) {
+        kernel::forward_blocks(set, &self.packed, Sign::Clamped, at.blocks(), out);
+    }
+
     /// Where each array lies in [`weights`](Self::weights).
     pub fn layout(&self) -> Layout {
         Layout::new(self.hidden)
@@ -203,11 +211,11 @@ impl Brdf for Nbrdf {
     }
 
     fn eval_into(&self, at: &[Directions], out: &mut [Rgb]) {
-        kernel::forward(InstructionSet::fastest(), &self.packed, Sign::Clamped, at, out);
+        self.eval_with(InstructionSet::fastest(), at, out);
     }
 
     fn eval_prepared(&self, at: &Prepared, out: &mut [Rgb]) {
-        kernel::forward_blocks(InstructionSet::fastest(), &self.packed, Sign::Clamped, at.blocks(), out);
+        self.eval_prepared_with(InstructionSet::fastest(), at, out);
     }
 
     fn eval_signed_into(&self, at: &[Directions], out: &mut [Rgb]) {

@@ -2,6 +2,7 @@
 //!
 //! `pulp` compiles every loop once for each instruction set; one binary runs everywhere, without `unsafe`.
 
+mod arctangent;
 mod exponential;
 mod instruction_set;
 mod lanes;
@@ -9,6 +10,7 @@ mod logarithm;
 
 use pulp::{Simd, WithSimd};
 
+pub(crate) use arctangent::angle;
 use exponential::exp;
 pub(crate) use exponential::exp_minus_one;
 pub use instruction_set::InstructionSet;

@@ -5,7 +5,11 @@
 
 use std::f32::consts::FRAC_1_PI;
 
+use pulp::{Simd, WithSimd};
+
 use super::microfacet::{ggx_distribution, ggx_visibility, schlick};
+use super::pairs::{Pairs, where_above};
+use crate::simd::{InstructionSet, LANES, Lanes};
 use crate::{Brdf, Directions, Rgb};
 
 /// Smaller α is taken as this: the peak of D, 1/(πα²), stays far from overflow.
@@ -32,6 +36,75 @@ impl Brdf for Ggx {
         let lobe = ggx_distribution(half, alpha) * ggx_visibility(at.light.z, at.view.z, alpha);
         let fresnel = schlick(self.f0, at.light.dot(half));
         self.diffuse.zip(fresnel, |base, f| (base * FRAC_1_PI + lobe * f).min(f32::MAX))
+    }
+
+    fn eval_into(&self, at: &[Directions], out: &mut [Rgb]) {
+        assert_eq!(at.len(), out.len(), "one output per pair of directions");
+        InstructionSet::fastest().run(Evaluate { ggx: self, at, out });
+    }
+}
+
+/// The same formula for whole blocks.
+struct Evaluate<'a> {
+    ggx: &'a Ggx,
+    at: &'a [Directions],
+    out: &'a mut [Rgb],
+}
+
+impl WithSimd for Evaluate<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, simd: S) {
+        for (at, out) in self.at.chunks(LANES).zip(self.out.chunks_mut(LANES)) {
+            let pairs = Pairs::load(at);
+            let mut values = [Lanes::ZERO; 3];
+            for i in 0..LANES / S::F32_LANES {
+                let [light, view] = pairs.vectors::<S>(i);
+                let found = self.ggx.vector(simd, light, view);
+                for (lanes, value) in values.iter_mut().zip(found) {
+                    lanes.vectors_mut::<S>()[i] = where_above(simd, light[2], view[2], value);
+                }
+            }
+            for (lane, out) in out.iter_mut().enumerate() {
+                *out = Rgb([values[0].0[lane], values[1].0[lane], values[2].0[lane]]);
+            }
+        }
+    }
+}
+
+impl Ggx {
+    #[inline(always)]
+    fn vector<S: Simd>(&self, simd: S, light: [S::f32s; 3], view: [S::f32s; 3]) -> [S::f32s; 3] {
+        let constant = |v: f32| simd.splat_f32s(v);
+        let [one, largest] = [1.0, f32::MAX].map(constant);
+        let alpha = self.alpha.max(SMOOTHEST);
+        let a2 = alpha * alpha;
+        let [sx, sy, sz] = [0, 1, 2].map(|axis| simd.add_f32s(light[axis], view[axis]));
+        let across = simd.mul_add_e_f32s(sx, sx, simd.mul_f32s(sy, sy));
+        let up = simd.mul_f32s(sz, sz);
+        let length2 = simd.add_f32s(across, up);
+        // |s|² times what D calls spread
+        let spread = simd.mul_add_e_f32s(constant(a2), up, across);
+        let relative = simd.div_f32s(length2, spread);
+        let density = simd.mul_f32s(constant(a2 * FRAC_1_PI), simd.mul_f32s(relative, relative));
+        let side =
+            simd.sqrt_f32s(simd.mul_add_e_f32s(constant(1.0 - a2), simd.mul_f32s(light[2], light[2]), constant(a2)));
+        let other =
+            simd.sqrt_f32s(simd.mul_add_e_f32s(constant(1.0 - a2), simd.mul_f32s(view[2], view[2]), constant(a2)));
+        let sides = simd.mul_add_e_f32s(view[2], side, simd.mul_f32s(light[2], other));
+        let lobe = simd.mul_f32s(density, simd.div_f32s(constant(0.5), sides));
+        let dot = simd.mul_add_e_f32s(light[2], sz, simd.mul_add_e_f32s(light[0], sx, simd.mul_f32s(light[1], sy)));
+        let grazing = simd.sub_f32s(one, simd.div_f32s(dot, simd.sqrt_f32s(length2)));
+        let grazing = simd.max_f32s(simd.min_f32s(grazing, one), constant(0.0));
+        let square = simd.mul_f32s(grazing, grazing);
+        let fifth = simd.mul_f32s(simd.mul_f32s(square, square), grazing);
+        [0, 1, 2].map(|channel| {
+            let f0 = self.f0[channel];
+            let fresnel = simd.mul_add_e_f32s(constant(1.0 - f0), fifth, constant(f0));
+            let base = constant(self.diffuse[channel] * FRAC_1_PI);
+            simd.min_f32s(simd.mul_add_e_f32s(lobe, fresnel, base), largest)
+        })
     }
 }
 
@@ -69,6 +142,22 @@ mod tests {
     fn the_roughest_white_lobe_seen_from_above_keeps_one_minus_ln_two() {
         let albedo = directional_albedo(&mirror_like(1.0), 0.0)[0];
         assert!((albedo - (1.0 - std::f32::consts::LN_2)).abs() < 5e-5, "{albedo}");
+    }
+
+    #[test]
+    fn many_pairs_are_what_each_of_them_is() {
+        let at: Vec<Directions> = crate::sampling::rus32k().iter().step_by(19).copied().collect();
+        let below = Directions::from_angles(1.8, 0.0, 0.2, 1.0);
+        let at: Vec<Directions> = at.into_iter().chain([below]).collect();
+        for alpha in [0.0, 0.01, 0.3, 1.0] {
+            let ggx = Ggx { diffuse: Rgb([0.2, 0.1, 0.0]), f0: Rgb([0.04, 0.5, 1.0]), alpha };
+            let mut together = vec![Rgb::BLACK; at.len()];
+            ggx.eval_into(&at, &mut together);
+            for (at, together) in at.iter().zip(together) {
+                let alone = ggx.eval(*at);
+                assert!(alone.zip(together, |a, b| (a - b).abs() / (1.0 + a)).max() < 2e-5, "{alone:?} {together:?}");
+            }
+        }
     }
 
     proptest! {

@@ -4,8 +4,14 @@ use std::{io::Cursor, path::Path};
 
 use image::{ExtendedColorType, ImageEncoder, codecs::png::PngEncoder};
 
-use super::{Image, ImageError};
+use rayon::prelude::*;
+
+use super::{DISPLAY_GAMMA, Image, ImageError, clipped};
+use crate::simd::powers;
 use crate::{Rgb, atomic};
+
+/// Values that one task displays.
+const PIECE: usize = 3 * 1024;
 
 impl Image {
     /// The displayed image as a PNG file in memory.
@@ -28,7 +34,23 @@ impl Image {
 
     /// Displayed values as bytes: red, green, blue of each pixel, row by row from the top left.
     pub fn display_bytes(&self) -> Vec<u8> {
-        Rgb::flat(&self.displayed().pixels).iter().map(|v| (v * 255.0).round() as u8).collect()
+        let mut bytes = Vec::new();
+        self.display_bytes_into(1.0, &mut bytes);
+        bytes
+    }
+
+    /// As [`display_bytes`](Self::display_bytes) of the image times `gain`, over earlier bytes; allocates nothing where
+    /// there is room.
+    pub fn display_bytes_into(&self, gain: f32, bytes: &mut Vec<u8>) {
+        let linear = Rgb::flat(&self.pixels);
+        bytes.resize(linear.len(), 0);
+        bytes.par_chunks_mut(PIECE).zip(linear.par_chunks(PIECE)).for_each(|(bytes, linear)| {
+            let mut shown = [0.0; PIECE];
+            let shown = &mut shown[..linear.len()];
+            shown.iter_mut().zip(linear).for_each(|(shown, linear)| *shown = clipped(linear * gain));
+            powers(shown, 1.0 / DISPLAY_GAMMA);
+            bytes.iter_mut().zip(shown).for_each(|(byte, v)| *byte = (*v * 255.0).round() as u8);
+        });
     }
 
     /// Writes the displayed image as PNG; the file is whole or not there.

@@ -18,7 +18,7 @@ use crate::simd::{InstructionSet, LANES, Lanes, exp_minus_one};
 use crate::{Directions, Rgb};
 use dense::dense;
 
-pub(crate) use half_diff::{Block, ORDER};
+pub(crate) use half_diff::{Block, ORDER, half_diff};
 pub use packed::Live;
 pub(crate) use packed::Packed;
 

@@ -38,6 +38,11 @@ impl Nbrdf {
         Self { hidden: self.hidden, weights: self.weights.clone(), packed }
     }
 
+    /// What is evaluated: everything, or what [`pruned`](Self::pruned) left.
+    pub const fn evaluated(&self) -> &Live {
+        self.packed.live()
+    }
+
     /// What of this network can ever matter for isotropic materials, whose h.y is 0.
     pub fn live(&self) -> Live {
         let dead = prove(self, self.silent());

@@ -51,6 +51,11 @@ impl InstructionSet {
         })
     }
 
+    /// Whether it has vectors.
+    pub const fn is_vector(self) -> bool {
+        !matches!(self, Self::Portable(_))
+    }
+
     /// `portable`, `avx2`, `avx512`, `neon`.
     pub const fn name(self) -> &'static str {
         match self {

@@ -9,6 +9,7 @@ use pulp::Simd;
 
 use super::INPUTS;
 use crate::Directions;
+use crate::brdf::pairs::{Pairs, above, where_above};
 use crate::simd::{LANES, Lanes};
 
 /// One block of pairs as network inputs.
@@ -26,23 +27,12 @@ impl Block {
     /// Fills the block from 1 to [`LANES`] pairs; unused lanes repeat the last one, and are not above.
     #[inline(always)]
     pub fn fill<S: Simd>(&mut self, simd: S, pairs: &[Directions]) {
-        let [mut lx, mut ly, mut lz, mut vx, mut vy, mut vz] = [Lanes::ZERO; 6];
-        let mut put = |lane: usize, Directions { light, view }: Directions| {
-            (lx.0[lane], ly.0[lane], lz.0[lane]) = light.into();
-            (vx.0[lane], vy.0[lane], vz.0[lane]) = view.into();
-        };
-        match <&[Directions; LANES]>::try_from(pairs) {
-            Ok(full) => full.iter().enumerate().for_each(|(lane, at)| put(lane, *at)),
-            Err(_) => (0..LANES).for_each(|lane| put(lane, pairs[lane.min(pairs.len() - 1)])),
-        }
+        let loaded = Pairs::load(pairs);
         let [h0, h2, d0, d1, d2, _] = &mut self.inputs;
-        let [zero, one] = [0.0, 1.0].map(|v| simd.splat_f32s(v));
-        let mut above = one;
+        let mut valid = simd.splat_f32s(1.0);
         for i in 0..LANES / S::F32_LANES {
-            let light = [&lx, &ly, &lz].map(|lanes| lanes.vectors::<S>()[i]);
-            let view = [&vx, &vy, &vz].map(|lanes| lanes.vectors::<S>()[i]);
-            above = simd.select_f32s(simd.greater_than_f32s(light[2], zero), above, zero);
-            above = simd.select_f32s(simd.greater_than_f32s(view[2], zero), above, zero);
+            let [light, view] = loaded.vectors::<S>(i);
+            valid = where_above(simd, light[2], view[2], valid);
             let [hx, hz, dx, dy, dz] = half_diff(simd, light, view);
             h0.vectors_mut::<S>()[i] = hx;
             h2.vectors_mut::<S>()[i] = hz;
@@ -50,19 +40,14 @@ impl Block {
             d1.vectors_mut::<S>()[i] = dy;
             d2.vectors_mut::<S>()[i] = dz;
         }
-        let whole = pairs.len() == LANES && simd.reduce_min_f32s(above) > 0.0;
-        self.above = if whole { u32::MAX } else { mask(pairs) };
+        let whole = pairs.len() == LANES && simd.reduce_min_f32s(valid) > 0.0;
+        self.above = if whole { u32::MAX } else { above(pairs) };
     }
-}
-
-/// Bit `lane` is set where both directions are above the surface.
-fn mask(pairs: &[Directions]) -> u32 {
-    pairs.iter().enumerate().fold(0, |mask, (lane, at)| mask | u32::from(at.is_above()) << lane)
 }
 
 /// h.x, h.z, d.x, d.y, d.z; h.y is 0.
 #[inline(always)]
-fn half_diff<S: Simd>(simd: S, [lx, ly, lz]: [S::f32s; 3], [vx, vy, vz]: [S::f32s; 3]) -> [S::f32s; 5] {
+pub(crate) fn half_diff<S: Simd>(simd: S, [lx, ly, lz]: [S::f32s; 3], [vx, vy, vz]: [S::f32s; 3]) -> [S::f32s; 5] {
     let mul = |a, b| simd.mul_f32s(a, b);
     let fma = |a, b, c| simd.mul_add_e_f32s(a, b, c);
     // a b − c d with the rounding error of c d put back (W. Kahan; Jeannerod, Louvet, Muller 2013, algorithm 1).

@@ -25,6 +25,11 @@ impl Live {
         self.inputs() * first + first * second + second * 3
     }
 
+    /// Numbers that evaluation reads: weights and biases.
+    pub fn weights(&self) -> usize {
+        self.multiply_adds() + self.units[0].len() + self.units[1].len() + 3
+    }
+
     /// Whether nothing is left out of a network of these hidden widths.
     pub fn is_all(&self, hidden: [usize; 2]) -> bool {
         self.half_y && [0, 1].map(|layer| self.units[layer].len()) == hidden
