@@ -1,0 +1,103 @@
+//! One step of training after the other.
+
+use candle_core::{Device, Tensor};
+use nbrdf_core::Nbrdf;
+use nbrdf_core::nbrdf::fit::generator;
+use nbrdf_core::nbrdf::objective::Objective;
+use nbrdf_core::nbrdf::{PUBLISHED_HIDDEN, PUBLISHED_WEIGHTS};
+
+use crate::Architecture;
+use crate::dataset::{BATCH, Batches, Pool, Spheres};
+use crate::loss::decoded_loss;
+use crate::model::{FEATURES, Model, PublishedModel, ZnbrdfModel};
+use crate::optimizer::AdamW;
+use crate::train::{TrainError, TrainOptions, TrainingData};
+
+/// Steps during which the learning rate rises.
+const WARM_UP: usize = 300;
+
+/// A training under way: what is trained, on what, towards what. [`train`](crate::train()) drives it and keeps its state.
+pub struct Trainer {
+    pub(crate) model: Box<dyn Model>,
+    pub(crate) optimizer: AdamW,
+    batches: Box<dyn Batches>,
+    objective: Objective,
+    options: TrainOptions,
+}
+
+impl Trainer {
+    /// At the start.
+    ///
+    /// # Errors
+    /// [`TrainError::TooFew`] if there is too little to learn from.
+    pub fn new(data: &TrainingData, options: &TrainOptions) -> Result<Self, TrainError> {
+        let networks: Vec<&Nbrdf> = data.networks.iter().filter(|n| n.hidden() == PUBLISHED_HIDDEN).collect();
+        if networks.len() < 2 || data.measured.len() < 2 {
+            return Err(TrainError::TooFew { found: networks.len().min(data.measured.len()) });
+        }
+        let mean = mean(&networks);
+        let rng = &mut generator(options.seed, 0);
+        let (model, batches, objective): (Box<dyn Model>, Box<dyn Batches>, Objective) = match options.architecture {
+            Architecture::Znbrdf => {
+                let start = data.start.map_or(mean.as_slice(), Nbrdf::weights);
+                let model = ZnbrdfModel::new(start, &spread(&networks, start), rng)?;
+                let pool = Pool::new(data.measured, data.analytic, options.analytic_share, options.seed);
+                (Box::new(model), Box::new(pool), Objective::FIT)
+            }
+            Architecture::Published => {
+                let model = PublishedModel::new(&mean, &spread(&networks, &mean), rng)?;
+                let networks: Vec<Nbrdf> = networks.into_iter().cloned().collect();
+                (Box::new(model), Box::new(Spheres::new(&networks)), Objective::IMAGE)
+            }
+        };
+        let optimizer = AdamW::new(model.parameters());
+        Ok(Self { model, optimizer, batches, objective, options: options.clone() })
+    }
+
+    /// Steps done.
+    pub const fn done(&self) -> usize {
+        self.optimizer.step
+    }
+
+    /// One step; the loss before it.
+    ///
+    /// # Errors
+    /// [`TrainError::Diverged`] if the loss is not finite.
+    pub fn step(&mut self) -> Result<f64, TrainError> {
+        let step = self.done();
+        let batch = self.batches.batch(self.options.seed, step);
+        let columns = batch.input.len() / BATCH;
+        let input = match columns == 3 * FEATURES {
+            true => Tensor::from_vec(batch.input, (BATCH, 3, FEATURES), &Device::Cpu)?,
+            false => Tensor::from_vec(batch.input, (BATCH, columns), &Device::Cpu)?,
+        };
+        let weights = self.model.decode(&self.model.encode(&input)?)?;
+        let mean = decoded_loss(&weights, self.objective, batch.targets)?.mean_all()?;
+        let loss = f64::from(mean.to_scalar::<f32>()?);
+        if !loss.is_finite() {
+            return Err(TrainError::Diverged { step, loss });
+        }
+        // The layers leave their gradients with the parameters.
+        mean.backward()?;
+        self.optimizer.step(self.model.parameters(), rate(&self.options, step))?;
+        Ok(loss)
+    }
+}
+
+/// Learning rate: a linear rise, then half a cosine down to zero.
+fn rate(options: &TrainOptions, step: usize) -> f64 {
+    let rise = ((step + 1) as f64 / WARM_UP as f64).min(1.0);
+    let fall = 0.5 * (1.0 + (std::f64::consts::PI * step as f64 / options.steps as f64).cos());
+    options.rate * rise * fall
+}
+
+fn mean(networks: &[&Nbrdf]) -> Vec<f32> {
+    let at = |i: usize| networks.iter().map(|n| f64::from(n.weights()[i])).sum::<f64>() / networks.len() as f64;
+    (0..PUBLISHED_WEIGHTS).map(|i| at(i) as f32).collect()
+}
+
+/// Root mean square distance of every weight from `centre`, never quite zero.
+fn spread(networks: &[&Nbrdf], centre: &[f32]) -> Vec<f32> {
+    let square = |i: usize| networks.iter().map(|n| f64::from(n.weights()[i] - centre[i]).powi(2)).sum::<f64>();
+    (0..PUBLISHED_WEIGHTS).map(|i| (square(i) / networks.len() as f64).sqrt().max(1e-2) as f32).collect()
+}
