@@ -1,6 +1,6 @@
-"""Golden numbers for the tests of every other implementation, by NumPy in float64. Same inputs, same bytes.
+"""Golden numbers for the tests of every other implementation, by NumPy in float64 (derivatives by JAX). Same inputs, same bytes.
 
-    python scripts/make_golden.py [forward] [coordinates] [sphere] [judged]      (default: all)
+    python scripts/make_golden.py [forward] [coordinates] [sphere] [gradient] [judged]      (default: all)
 
 `forward` needs the published networks (NBRDF_DATA); its file holds directions and results, never a published weight.
 """
@@ -12,10 +12,12 @@ import sys
 from pathlib import Path
 from typing import Any
 
+import jax
+import jax.numpy as jnp
 import numpy as np
 from safetensors.numpy import save
 
-from nbrdf_jax import data, library, metrics
+from nbrdf_jax import data, library, metrics, objective
 from nbrdf_jax.analytic import Microfacet, f0_from_ior
 from nbrdf_jax.coordinates import half_difference, network_inputs, vectors_from_angles
 from nbrdf_jax.delta_e_itp import delta_e_itp
@@ -80,6 +82,22 @@ def sphere() -> bytes:
     return _json("sphere", "linear radiance; row 0 is the top row; alpha is not squared", {"size": 32, "materials": materials})
 
 
+def gradient() -> bytes:
+    """The fitting loss between two made-up networks and its gradient by JAX's reverse mode."""
+    random = np.random.default_rng(7)
+    counts = objective.Counts(37, 50, 9, 4)
+    # Rounded first, so that whoever reads the file starts from the same numbers.
+    own, other = (random.normal(0, 0.3, 675).astype(np.float32).astype(np.float64) for _ in range(2))
+    light, view = (vectors[: counts.directions].astype(np.float32).astype(np.float64) for vectors in rus32k())
+    factor = (light[:, 2] * random.uniform(0.5, 1.0, counts.directions)).astype(np.float32).astype(np.float64)
+    inputs = network_inputs(light, view)
+    wanted = objective.features(reflectance(other, inputs), factor, counts)
+    value, by_weight = jax.value_and_grad(objective.loss)(jnp.asarray(own), jnp.asarray(inputs), jnp.asarray(factor), tuple(map(jnp.asarray, wanted)), counts)
+    tensors = {"own": own, "other": other, "light": light, "view": view, "factor": factor, "loss": np.array([float(value)]), "gradient": np.asarray(by_weight)}
+    about = f"loss and gradient of 'own' against 'other', {counts}, float64 rounded to float32; made by scripts/make_golden.py gradient"
+    return save({name: tensor.astype(np.float32) for name, tensor in tensors.items()}, metadata={"about": about})
+
+
 def metric_values() -> bytes:
     """Metrics between known materials; pictures 128 × 128."""
     light, view = rus32k()
@@ -123,6 +141,7 @@ FILES = {
     "forward": ("forward.safetensors", forward),
     "coordinates": ("coordinates.json", coordinates),
     "sphere": ("sphere.json", sphere),
+    "gradient": ("gradient.safetensors", gradient),
     "judged": ("judged.json", metric_values),
 }
 

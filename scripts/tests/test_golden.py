@@ -23,6 +23,13 @@ def test_the_numbers_are_those_of_the_published_networks(merl, rgl):
         assert np.allclose(tensor, made[name], rtol=1e-6, atol=1e-9), name
 
 
+def test_the_gradient_is_that_of_the_second_implementation():
+    made, stored = load(make_golden.gradient()), load_file(make_golden.FOLDER / "gradient.safetensors")
+    assert made.keys() == stored.keys()
+    for name, tensor in stored.items():
+        assert np.allclose(tensor, made[name], rtol=1e-6, atol=1e-9), name
+
+
 def test_making_twice_gives_the_same_bytes():
     assert make_golden.sphere() == make_golden.sphere()
 

@@ -12,7 +12,7 @@ use serde_json::{Value, json};
 use super::Global;
 use crate::catalog::Reference;
 use crate::material::Sources;
-use crate::measure::speed::{Evaluation, Saving, codes, evaluation, pruning, spheres};
+use crate::measure::speed::{Evaluation, Saving, codes, evaluation, fitting, pruning, spheres};
 use crate::report::table::Table;
 use crate::{progress, report};
 
@@ -50,7 +50,7 @@ impl Speed {
         let summary = json!({
             "schema": 1, "reference": reference.kind, "material": material.name,
             "instruction_set": InstructionSet::fastest().name(), "peaks": peaks,
-            "evaluation": rows, "pruning": pruned(&savings), "codes": codes, "spheres": pictures,
+            "evaluation": rows, "pruning": pruned(&savings), "codes": codes, "fit": fitting(material, 5)?, "spheres": pictures,
         });
         report::print(global, &summary, || text(&summary, &rows))
     }
@@ -93,7 +93,7 @@ fn text(summary: &Value, rows: &[Evaluation]) -> String {
         "One thread, batches of 4096 directions; multiply-add peak in GFLOP/s: {}\n\n{table}\n\
          Pruning, {} networks: {:.1} + {:.1} of 21 + 21 units can fire, {:.0} of 630 multiply-adds ({:.0} at most);\n\
          {:.2} times faster from directions, {:.2} times with half and difference vectors given\n\
-         Codes: encode {:.0} us, decode {:.0} us, refine {:.0} ms\n\
+         Codes: encode {:.0} us, decode {:.0} us, refine {:.0} ms; one step of a fit {:.0} us\n\
          Spheres on {} threads, three lamps: four of 256 x 256 in {:.2} ms ({:.2} ms with display bytes), \
          one of 1024 x 1024 in {:.1} ms\n",
         peaks.join(", "),
@@ -107,6 +107,7 @@ fn text(summary: &Value, rows: &[Evaluation]) -> String {
         1e6 * number("/codes/encode_s"),
         1e6 * number("/codes/decode_s"),
         1e3 * number("/codes/refine_s"),
+        1e6 * number("/fit/step_s"),
         number("/spheres/threads"),
         1e3 * number("/spheres/four_of_256_s"),
         1e3 * number("/spheres/four_of_256_displayed_s"),

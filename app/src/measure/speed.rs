@@ -7,6 +7,7 @@ use nbrdf_core::brdf::ggx::Ggx;
 use nbrdf_core::brdf::lambert::Lambert;
 use nbrdf_core::brdf::table::{Lookup, Table};
 use nbrdf_core::cost::{Cost, FixedArrays, From, NETWORK_FLOP, Track, WithSet, peak_fma, seconds};
+use nbrdf_core::nbrdf::fit::{FitOptions, fit, random_network};
 use nbrdf_core::render::{Light, Sphere};
 use nbrdf_core::representation::refined::Refined;
 use nbrdf_core::simd::InstructionSet;
@@ -167,6 +168,24 @@ pub fn codes(znbrdf: &Arc<dyn Representation>, material: &Material, repeats: usi
         decode_s: seconds(repeats, || drop(znbrdf.decode_into(&code.code, &mut place))),
         refine_s: seconds(repeats.div_ceil(4), || drop(refined.encode(material))),
     }))
+}
+
+/// Fitting one network on one thread.
+#[derive(Debug, Serialize)]
+pub struct Fit {
+    /// Steps of 512 directions.
+    pub steps: usize,
+    /// Seconds per step, the drawing of directions included.
+    pub step_s: f64,
+}
+
+/// Of this material, from a random start.
+pub fn fitting(material: &Material, repeats: usize) -> Result<Fit> {
+    let (options, start) = (FitOptions::default(), random_network(0, 0));
+    let one_thread = rayon::ThreadPoolBuilder::new().num_threads(1).build()?;
+    let whole =
+        one_thread.install(|| seconds(repeats, || drop(fit(&start, material.brdf.as_ref(), options, &|| false))));
+    Ok(Fit { steps: options.steps, step_s: whole / options.steps as f64 })
 }
 
 /// Seconds of pictures under the three keys of light `studio`.

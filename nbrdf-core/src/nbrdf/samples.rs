@@ -109,7 +109,12 @@ impl Samples {
         Self::new(counts, directions, factors)
     }
 
-    fn new(counts: SampleCounts, directions: Vec<Directions>, factors: Vec<f32>) -> Self {
+    /// From given directions, in the order log, relative, pixels, and their factors.
+    ///
+    /// # Panics
+    /// If there are not as many as `counts` says (a bug of the caller).
+    pub fn new(counts: SampleCounts, directions: Vec<Directions>, factors: Vec<f32>) -> Self {
+        assert!([directions.len(), factors.len()] == [counts.directions(); 2], "as many samples as counted");
         Self { counts, at: Prepared::new(directions), factors }
     }
 
