@@ -1,7 +1,10 @@
 //! Importance sampling beside evaluation: drawing light directions where a material reflects.
 
 pub mod cosine;
+pub mod lobe;
+mod mixture;
 pub mod uniform;
+mod visible_normals;
 
 use crate::{Directions, Vec3};
 
