@@ -1,8 +1,11 @@
 //! Importance sampling beside evaluation: drawing light directions where a material reflects.
 
 pub mod cosine;
+mod disk;
+mod fit;
 pub mod lobe;
 mod mixture;
+mod outgoing;
 pub mod uniform;
 mod visible_normals;
 
