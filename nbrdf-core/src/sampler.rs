@@ -1,5 +1,6 @@
 //! Importance sampling beside evaluation: drawing light directions where a material reflects.
 
+pub mod blinn_phong;
 pub mod cosine;
 mod disk;
 mod fit;
