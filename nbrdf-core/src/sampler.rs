@@ -8,6 +8,7 @@ pub mod lobe;
 mod mixture;
 mod outgoing;
 pub mod uniform;
+pub mod variance;
 mod visible_normals;
 
 use crate::{Directions, Vec3};
