@@ -1,7 +1,15 @@
 //! Importance sampling beside evaluation: drawing light directions where a material reflects.
 
+pub mod blinn_phong;
 pub mod cosine;
+mod disk;
+mod fit;
+pub mod lobe;
+mod mixture;
+mod outgoing;
 pub mod uniform;
+pub mod variance;
+mod visible_normals;
 
 use crate::{Directions, Vec3};
 

@@ -9,7 +9,7 @@ use super::{Sample, Sampler};
 use crate::{Directions, Vec3};
 
 /// Smallest cosine drawn, so that no sample lies on the horizon.
-const LOWEST: f32 = 1e-6;
+pub(super) const LOWEST: f32 = 1e-6;
 
 /// p = cos θ_i / π.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
