@@ -8,7 +8,7 @@ use clap::{Parser, Subcommand};
 use crate::command::Global;
 use crate::command::{
     blend::Blend, compare::Compare, completions::Completions, decode::Decode, encode::Encode, evaluate::Evaluate,
-    import::Import, info::Info, list::List, render::Render, speed::Speed, train::Train,
+    import::Import, info::Info, list::List, render::Render, sampling::Sampling, speed::Speed, train::Train,
 };
 use crate::failure::exit_code;
 
@@ -36,6 +36,7 @@ enum Command {
     Render(Render),
     Evaluate(Evaluate),
     Compare(Compare),
+    Sampling(Sampling),
     Speed(Speed),
     Completions(Completions),
 }
@@ -64,6 +65,7 @@ impl Cli {
             Some(Command::Train(command)) => command.run(&self.global),
             Some(Command::Evaluate(command)) => command.run(&self.global),
             Some(Command::Compare(command)) => command.run(&self.global),
+            Some(Command::Sampling(command)) => command.run(&self.global),
             Some(Command::Speed(command)) => command.run(&self.global),
             Some(Command::Encode(command)) => command.run(&self.global),
             Some(Command::Decode(command)) => command.run(&self.global),

@@ -10,6 +10,7 @@ pub mod import;
 pub mod info;
 pub mod list;
 pub mod render;
+pub mod sampling;
 pub mod speed;
 pub mod train;
 

@@ -2,6 +2,7 @@
 
 pub mod families;
 pub mod path_quality;
+pub mod sampling;
 pub mod speed;
 mod target;
 

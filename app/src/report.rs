@@ -1,5 +1,6 @@
 //! Reports: JSON or text on stdout.
 
+pub mod svg;
 pub mod table;
 
 use std::io::Write;

@@ -7,11 +7,13 @@ use std::sync::{Arc, OnceLock};
 use nbrdf_core::nbrdf::{PUBLISHED_HIDDEN, PUBLISHED_WEIGHTS};
 use nbrdf_core::representation::pca_weights::network_of;
 use nbrdf_core::representation::{DecodeError, EncodeError, Linearized, check_numbers};
+use nbrdf_core::sampler::lobe::Lobe;
 use nbrdf_core::{Brdf, Code, Material, Nbrdf, Representation};
 use serde::{Deserialize, Serialize};
 
 use crate::checkpoint::{Checkpoint, CheckpointError, invalid};
 use crate::inference::{self, Inference};
+use crate::lobe::LobeNetwork;
 use crate::model::DIM;
 use crate::probe::Probes;
 
@@ -42,6 +44,7 @@ impl Architecture {
 pub struct Autoencoder {
     architecture: Architecture,
     inference: Box<dyn Inference>,
+    lobe: Option<LobeNetwork>,
     probes: Probes,
     parameters: usize,
     hash: String,
@@ -81,10 +84,12 @@ impl Autoencoder {
         let Some(architecture) = Architecture::ALL.into_iter().find(|architecture| architecture.name() == found) else {
             return Err(invalid(&file.path, "a checkpoint of znbrdf or published_autoencoder".into(), found.into()));
         };
+        let mut restored = Self::of(architecture, file)?;
         if architecture == Architecture::Znbrdf {
             file.check_probes()?;
+            restored.lobe = Some(LobeNetwork::new(file)?);
         }
-        Self::of(architecture, file)
+        Ok(restored)
     }
 
     /// From the tensors of a file, or of a training under way.
@@ -92,6 +97,7 @@ impl Autoencoder {
         Ok(Self {
             architecture,
             inference: inference::build(architecture, file)?,
+            lobe: None,
             probes: Probes::new(),
             parameters: file.parameters(),
             hash: file.hash.clone(),
@@ -114,6 +120,12 @@ impl Autoencoder {
         let mut weights = vec![0.0; PUBLISHED_WEIGHTS];
         self.inference.decode(numbers, &mut weights);
         Nbrdf::published(weights).map_err(|error| DecodeError::Failed(error.to_string()))
+    }
+
+    /// The lobe to sample what a code stands for; none in an architecture that has not learned lobes.
+    pub fn lobe(&self, code: &Code) -> Result<Option<Lobe>, DecodeError> {
+        let numbers = code.checked(self.name(), &self.hash, DIM)?;
+        Ok(self.lobe.as_ref().map(|network| network.predict(numbers)))
     }
 
     fn checked<'a>(&self, numbers: &'a [f32]) -> Result<&'a [f32], DecodeError> {

@@ -4,6 +4,8 @@ mod chain;
 mod published;
 mod znbrdf;
 
+pub(crate) use chain::Chain;
+
 use crate::Architecture;
 use crate::checkpoint::{Checkpoint, CheckpointError};
 

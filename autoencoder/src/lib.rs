@@ -8,6 +8,7 @@ mod checkpoint;
 mod dataset;
 mod inference;
 mod layer;
+mod lobe;
 mod loss;
 mod model;
 mod optimizer;

@@ -11,6 +11,7 @@ use nbrdf_core::hash::short_hash;
 use nbrdf_core::{Brdf, Material, Nbrdf};
 
 use crate::checkpoint::{Checkpoint, CheckpointError, probe_tensors, save, tensors_of};
+use crate::lobe;
 use crate::model::Model;
 use crate::probe::{PROBES, Probes};
 use crate::trainer::Trainer;
@@ -146,7 +147,7 @@ pub fn train(
             return Err(TrainError::Stopped { step: done, state });
         }
     }
-    write(options.architecture, trainer.model.as_ref(), out)?;
+    write(data, options, trainer.model.as_ref(), out)?;
     // Only a finished checkpoint makes the state superfluous; a state that cannot be removed does no harm.
     let _ = std::fs::remove_file(&state);
     Ok(Autoencoder::load(out)?)
@@ -161,12 +162,15 @@ fn fingerprint(data: &TrainingData) -> String {
     short_hash(values.chain(networks))
 }
 
-fn write(architecture: Architecture, model: &dyn Model, out: &Path) -> Result<(), TrainError> {
+/// Writes the checkpoint: the model, and for ours what goes with it.
+fn write(data: &TrainingData, options: &TrainOptions, model: &dyn Model, out: &Path) -> Result<(), TrainError> {
     let mut tensors = tensors_of(model);
-    if architecture == Architecture::Znbrdf {
+    if options.architecture == Architecture::Znbrdf {
+        let trained = Autoencoder::of(options.architecture, &Checkpoint::of(model)?)?;
+        tensors.extend(lobe::learn(&trained, data.measured, options.seed)?);
         let (probes, cosines) = probe_tensors();
         tensors.push(("probes".into(), Tensor::from_vec(probes, (PROBES, 6), &Device::Cpu)?));
         tensors.push(("probe_cosine".into(), Tensor::from_vec(cosines, PROBES, &Device::Cpu)?));
     }
-    Ok(save(out, &tensors, ("model", architecture.name()))?)
+    Ok(save(out, &tensors, ("model", options.architecture.name()))?)
 }

@@ -2,6 +2,7 @@
 
 pub mod blinn_phong;
 pub mod cosine;
+pub mod curvature;
 mod disk;
 mod fit;
 pub mod lobe;

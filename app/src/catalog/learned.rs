@@ -68,6 +68,11 @@ impl Catalog {
     }
 
     pub(super) fn znbrdf(&self) -> Shared {
+        self.autoencoder()
+    }
+
+    /// ZNBRDF itself, which knows more than a representation does.
+    pub fn autoencoder(&self) -> Arc<Autoencoder> {
         self.checkpoint.clone().unwrap_or_else(|| Autoencoder::built_in(Architecture::Znbrdf))
     }
 

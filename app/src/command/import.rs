@@ -32,7 +32,7 @@ pub struct Import {
     #[arg(long, conflicts_with = "shared_start")]
     independent: bool,
     /// Steps of each fit.
-    #[arg(long, default_value_t = 10_000, value_parser = clap::value_parser!(u32).range(1..))]
+    #[arg(long, default_value_t = 30_000, value_parser = clap::value_parser!(u32).range(1..))]
     steps: u32,
     /// Leave out what cannot be read instead of stopping.
     #[arg(long)]

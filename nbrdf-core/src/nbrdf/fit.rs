@@ -64,8 +64,10 @@ pub fn generator(seed: u64, stream: u64) -> ChaCha8Rng {
 /// Sampled directions of a fit, drawn once: each step compares on one of the sets, picked at random.
 struct Sets(Vec<Samples>);
 
-/// Most sets drawn: 131 072 directions.
-const SETS: usize = 256;
+/// Most sets drawn: half a million directions.
+const SETS: usize = 1024;
+/// Steps for which a set is worth drawing: that takes as long as a step.
+const STEPS_PER_SET: usize = 16;
 
 impl Sets {
     /// Drawn in parallel, each from a stream of its own.
@@ -74,7 +76,7 @@ impl Sets {
             let rng = &mut generator(options.seed, (1 << 40) + set);
             Samples::drawn(rng, SampleCounts::STEP, options.angular)
         };
-        Self((0..options.steps.min(SETS) as u64).into_par_iter().map(draw).collect())
+        Self((0..options.steps.div_ceil(STEPS_PER_SET).min(SETS) as u64).into_par_iter().map(draw).collect())
     }
 }
 

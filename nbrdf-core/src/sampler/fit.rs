@@ -50,7 +50,7 @@ pub(super) fn search<G: Glossy>(seen: &[Outgoing], family: impl Fn(f64) -> G) ->
 }
 
 /// Density of the lobe relative to the cosine's, less 1, at every light.
-fn contrast(outgoing: &Outgoing, lobe: &impl Glossy) -> Vec<f64> {
+pub(super) fn contrast(outgoing: &Outgoing, lobe: &impl Glossy) -> Vec<f64> {
     let relative = |light, view| match (above(light), above(view)) {
         (Some(light), Some(view)) => PI * lobe.density(light, view) / light.z - 1.0,
         _ => 0.0,
@@ -59,7 +59,7 @@ fn contrast(outgoing: &Outgoing, lobe: &impl Glossy) -> Vec<f64> {
 }
 
 /// The mean over viewers of ln M.
-fn mean_log_moment(seen: &[Outgoing], contrasts: &[Vec<f64>], share: f64) -> f64 {
+pub(super) fn mean_log_moment(seen: &[Outgoing], contrasts: &[Vec<f64>], share: f64) -> f64 {
     let of_viewer = |(outgoing, contrast): (&Outgoing, &Vec<f64>)| {
         let share = share_towards(share as f32, f64::from(outgoing.at[0].view.z));
         let terms = outgoing.moments.iter().zip(contrast).map(|(moment, contrast)| moment / (1.0 + share * contrast));

@@ -4,14 +4,13 @@
 //! green and blue. N samples have V / N: a sampler of half the variance needs half the samples. 0 is perfect.
 
 use rand::RngExt;
-use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
 use super::blinn_phong::BlinnPhong;
 use super::lobe::Lobe;
 use super::outgoing::{Outgoing, viewers};
 use super::{Sampler, cosine::Cosine, uniform::Uniform};
-use crate::{Brdf, Directions, Library, Rgb, Vec3, direction::spherical, nbrdf::fit::generator};
+use crate::{Brdf, Directions, Rgb, Vec3, direction::spherical, nbrdf::fit::generator};
 
 /// Relative variances of one material by sampler, and the fitted lobe.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -42,12 +41,6 @@ impl Variances {
             lobe: relative_variance(brdf, &fitted),
             fitted,
         }
-    }
-
-    /// Of every material of a library, in its order.
-    pub fn of_library(library: &Library) -> Vec<Self> {
-        let entries: Vec<_> = library.iter().collect();
-        entries.into_par_iter().map(|entry| Self::of(&entry.name, &entry.network)).collect()
     }
 }
 
