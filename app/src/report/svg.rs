@@ -172,11 +172,8 @@ mod tests {
     fn larger_values_stand_higher_and_text_is_escaped() {
         let svg = chart(vec![(0.0, 0.01, String::new()), (1.0, 100.0, "tip".to_owned())]).svg();
         assert!(svg.contains("a &lt; b &amp; c") && !svg.contains("a < b"));
-        let heights: Vec<f64> = svg
-            .lines()
-            .filter(|line| line.starts_with("<path"))
-            .map(|line| line.split(['M', ' ', 'l']).nth(4).unwrap_or_default().parse().unwrap_or(f64::NAN))
-            .collect();
+        let height = |line: &str| -> Option<f64> { line.split("d=\"M").nth(1)?.split([' ', 'l']).nth(1)?.parse().ok() };
+        let heights: Vec<f64> = svg.lines().filter_map(height).collect();
         assert_eq!(heights.len(), 3, "legend and two points");
         assert!(heights[2] < heights[1], "{heights:?}");
     }
