@@ -4,11 +4,13 @@
 //! no interreflection, no shadow. The shading frame follows the globe: tangent to the east (y × n), bitangent
 //! north. Isotropic materials do not see it; brushed ones show their grooves along the latitudes.
 
+pub mod environment;
 mod light;
 
 use std::sync::OnceLock;
 
-use glam::DVec3;
+pub use environment::Environment;
+use glam::{DMat3, DVec3};
 pub use light::{Lamp, Light};
 use rayon::prelude::*;
 
@@ -104,9 +106,8 @@ impl Row {
 
     /// Adds the pairs of one pixel: one for each lamp in front of its surface.
     fn light_up(&mut self, normal: DVec3, light: &Light) {
-        let tangent = DVec3::Y.cross(normal).normalize();
-        let bitangent = normal.cross(tangent);
-        let local = |v: DVec3| DVec3::new(v.dot(tangent), v.dot(bitangent), v.dot(normal));
+        let to_surface = frame(normal).transpose();
+        let local = |v: DVec3| to_surface * v;
         let view = local(DVec3::Z).as_vec3();
         for lamp in &light.lamps {
             let direction = local(lamp.direction.as_dvec3());
@@ -140,6 +141,12 @@ fn normal(size: usize, x: usize, y: usize) -> Option<DVec3> {
     let (x, y) = (across(x), -across(y));
     let z2 = 1.0 - x * x - y * y;
     (z2 > 0.0).then(|| DVec3::new(x, y, z2.sqrt()))
+}
+
+/// The shading frame as columns: east, north, out. From the surface to view space; its transpose leads back.
+fn frame(normal: DVec3) -> DMat3 {
+    let tangent = DVec3::Y.cross(normal).normalize();
+    DMat3::from_cols(tangent, normal.cross(tangent), normal)
 }
 
 #[cfg(test)]
