@@ -3,15 +3,20 @@
 //! Orthographic view along +z, y up, the sphere's radius 0.99 of half the image; L = Σ f_r E cos θ_i over the lamps,
 //! no interreflection, no shadow. The shading frame follows the globe: tangent to the east (y × n), bitangent
 //! north. Isotropic materials do not see it; brushed ones show their grooves along the latitudes.
+//!
+//! Under an [`Environment`] the same sphere is a [`Progressive`] picture.
 
 pub mod environment;
 mod light;
+mod progressive;
+mod sequence;
 
 use std::sync::OnceLock;
 
 pub use environment::Environment;
 use glam::{DMat3, DVec3};
 pub use light::{Lamp, Light};
+pub use progressive::Progressive;
 use rayon::prelude::*;
 
 use crate::{Brdf, Directions, Image, Rgb};
