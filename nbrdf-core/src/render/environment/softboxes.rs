@@ -8,9 +8,9 @@ use crate::{Image, Rgb};
 const WIDTH: usize = 512;
 const HEIGHT: usize = 256;
 /// Radiance of the room below, at the horizon and above, with a smooth passage between.
-const FLOOR: DVec3 = DVec3::new(0.020, 0.018, 0.016);
-const HORIZON: DVec3 = DVec3::new(0.11, 0.11, 0.12);
-const CEILING: DVec3 = DVec3::new(0.045, 0.05, 0.06);
+const FLOOR: DVec3 = DVec3::new(0.045, 0.040, 0.035);
+const HORIZON: DVec3 = DVec3::new(0.27, 0.27, 0.29);
+const CEILING: DVec3 = DVec3::new(0.10, 0.11, 0.13);
 /// Share of a box's half width over which its light fades towards the frame.
 const FADE: f64 = 0.12;
 
@@ -27,30 +27,30 @@ const BOXES: [SoftBox; 4] = [
     // The key: large, warm, from the upper left in front.
     SoftBox {
         towards: DVec3::new(-0.65, 0.5, 0.75),
-        half_width: 0.42,
-        half_height: 0.42,
-        radiance: DVec3::new(3.4, 3.2, 2.9),
+        half_width: 0.5,
+        half_height: 0.5,
+        radiance: DVec3::new(4.4, 4.1, 3.7),
     },
     // The strip: tall and cool, on the right, somewhat behind.
     SoftBox {
         towards: DVec3::new(0.97, 0.05, -0.2),
-        half_width: 0.16,
+        half_width: 0.18,
         half_height: 0.75,
-        radiance: DVec3::new(2.3, 2.6, 3.0),
+        radiance: DVec3::new(4.0, 4.5, 5.2),
     },
     // The top light: wide, behind and above, for the rim.
     SoftBox {
         towards: DVec3::new(0.1, 0.85, -0.55),
         half_width: 0.7,
         half_height: 0.25,
-        radiance: DVec3::new(2.0, 2.0, 2.0),
+        radiance: DVec3::new(4.0, 4.0, 4.0),
     },
     // The spot: small and very bright, from the right in front.
     SoftBox {
         towards: DVec3::new(0.5, 0.55, 0.8),
         half_width: 0.035,
         half_height: 0.035,
-        radiance: DVec3::new(110.0, 105.0, 98.0),
+        radiance: DVec3::new(240.0, 228.0, 212.0),
     },
 ];
 
@@ -100,9 +100,9 @@ mod tests {
     #[test]
     fn the_key_is_seen_on_the_upper_left_and_the_spot_is_the_brightest() {
         let room = Environment::softboxes();
-        assert!(room.radiance(Vec3::new(-0.65, 0.5, 0.75).normalize()).min() > 2.5);
-        assert!(room.radiance(Vec3::new(0.5, 0.55, 0.8).normalize()).min() > 90.0);
-        assert!(room.radiance(Vec3::new(-0.65, -0.5, 0.75).normalize()).max() < 0.15, "nothing below");
+        assert!(room.radiance(Vec3::new(-0.65, 0.5, 0.75).normalize()).min() > 3.5);
+        assert!(room.radiance(Vec3::new(0.5, 0.55, 0.8).normalize()).min() > 200.0);
+        assert!(room.radiance(Vec3::new(-0.65, -0.5, 0.75).normalize()).max() < 0.3, "nothing below");
     }
 
     #[test]
