@@ -5,6 +5,7 @@ use nbrdf_core::library::refit::RefitError;
 use nbrdf_core::library::{LibraryError, UnknownMaterial};
 use nbrdf_core::nbrdf::file::ReadError;
 use nbrdf_core::path::{PathError, WeightsError};
+use nbrdf_core::render::environment::EnvironmentError;
 use nbrdf_core::representation::pca::PcaError;
 use nbrdf_core::representation::{DecodeError, EncodeError};
 
@@ -35,6 +36,7 @@ pub fn exit_code(error: &anyhow::Error) -> u8 {
             || cause.is::<EncodeError>()
             || cause.is::<PathError>()
             || cause.is::<PcaError>()
+            || cause.is::<EnvironmentError>()
             || cause.downcast_ref().is_some_and(invalid_checkpoint)
             || matches!(cause.downcast_ref(), Some(RefitError::NothingToLearnFrom { .. } | RefitError::Library(_)))
             || cause.downcast_ref().is_some_and(invalid_training);

@@ -1,7 +1,9 @@
 //! Linear images: what a renderer makes, what a metric compares, what a file shows.
 
 mod exr;
+mod hdr;
 mod png;
+pub mod read;
 
 use std::{
     io,

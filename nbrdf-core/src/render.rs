@@ -3,14 +3,21 @@
 //! Orthographic view along +z, y up, the sphere's radius 0.99 of half the image; L = Σ f_r E cos θ_i over the lamps,
 //! no interreflection, no shadow. The shading frame follows the globe: tangent to the east (y × n), bitangent
 //! north. Isotropic materials do not see it; brushed ones show their grooves along the latitudes.
+//!
+//! Under an [`Environment`] the same sphere is a [`Progressive`] picture.
 
+pub mod environment;
 mod light;
+mod progressive;
+mod sequence;
 
 use std::cell::Cell;
 use std::sync::OnceLock;
 
-use glam::DVec3;
+pub use environment::Environment;
+use glam::{DMat3, DVec3};
 pub use light::{Lamp, Light};
+pub use progressive::Progressive;
 use rayon::prelude::*;
 
 use crate::brdf::Prepared;
@@ -142,12 +149,10 @@ impl Row {
 
 /// Adds the pairs of one pixel: one for each lamp in front of its surface.
 fn light_up(normal: DVec3, light: &Light, at: &mut Vec<Directions>, weights: &mut Vec<Rgb>) {
-    let tangent = DVec3::Y.cross(normal).normalize();
-    let bitangent = normal.cross(tangent);
-    let local = |v: DVec3| DVec3::new(v.dot(tangent), v.dot(bitangent), v.dot(normal));
-    let view = local(DVec3::Z).as_vec3();
+    let to_surface = frame(normal).transpose();
+    let view = (to_surface * DVec3::Z).as_vec3();
     for lamp in &light.lamps {
-        let pair = Directions::new(local(lamp.direction.as_dvec3()).as_vec3(), view);
+        let pair = Directions::new((to_surface * lamp.direction.as_dvec3()).as_vec3(), view);
         if pair.is_above() {
             at.push(pair);
             weights.push(lamp.irradiance * pair.light.z);
@@ -161,6 +166,12 @@ fn normal(size: usize, x: usize, y: usize) -> Option<DVec3> {
     let (x, y) = (across(x), -across(y));
     let z2 = 1.0 - x * x - y * y;
     (z2 > 0.0).then(|| DVec3::new(x, y, z2.sqrt()))
+}
+
+/// The shading frame as columns: east, north, out. From the surface to view space; its transpose leads back.
+fn frame(normal: DVec3) -> DMat3 {
+    let tangent = DVec3::Y.cross(normal).normalize();
+    DMat3::from_cols(tangent, normal.cross(tangent), normal)
 }
 
 #[cfg(test)]

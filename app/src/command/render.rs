@@ -1,11 +1,14 @@
 //! `nbrdf render`: a sphere of a material.
 
+mod surroundings;
+
 use std::path::PathBuf;
 
 use anyhow::Result;
 use clap::{Args, ValueEnum};
 use nbrdf_core::render::{Light, Sphere};
 use serde_json::json;
+use surroundings::Surroundings;
 
 use super::{Global, warn_of_energy};
 use crate::material::Sources;
@@ -29,6 +32,8 @@ pub struct Render {
     /// Brighter by this many stops; negative is darker.
     #[arg(long, value_name = "STOPS", default_value_t = 0.0, allow_negative_numbers = true, value_parser = stops)]
     exposure: f32,
+    #[command(flatten)]
+    surroundings: Surroundings,
     #[command(flatten)]
     sources: Sources,
 }
@@ -62,15 +67,22 @@ impl Render {
     /// Runs the command.
     pub fn run(&self, global: &Global) -> Result<()> {
         output::check(&self.output, &output::PICTURES)?;
-        let item = self.sources.open()?.material_or_code(&self.material)?;
+        let environment = self.surroundings.open()?;
+        let shelf = self.sources.open()?;
+        let item = shelf.material_or_code(&self.material)?;
         warn_of_energy(global, &item.material)?;
         let light = self.light.light();
+        let lamps_only = environment.is_none();
+        let picture = match environment {
+            Some(around) => self.surroundings.render(around, (&item, &shelf), self.size.into(), global)?,
+            None => Sphere::new(self.size.into(), &light).render(item.material.brdf.as_ref()),
+        };
         let gain = self.exposure.exp2();
-        let picture = Sphere::new(self.size.into(), &light).render(item.material.brdf.as_ref());
         output::write_picture(&self.output, &picture.map(|pixel| pixel * gain))?;
         let summary = json!({
-            "schema": 1, "material": item.material.name, "light": light.name, "size": self.size,
-            "exposure": self.exposure, "output": self.output.display().to_string(),
+            "schema": 1, "material": item.material.name, "light": lamps_only.then_some(light.name),
+            "environment": self.surroundings.summary(global), "size": self.size, "exposure": self.exposure,
+            "output": self.output.display().to_string(),
         });
         report::print(global, &summary, || format!("{} in {}\n", item.material.name, self.output.display()))
     }

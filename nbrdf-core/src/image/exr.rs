@@ -1,11 +1,24 @@
 //! OpenEXR: the linear values, 32-bit float.
 
-use std::{io::Cursor, path::Path};
+use std::{
+    io::{Cursor, Read, Seek},
+    path::Path,
+};
 
-use exr::prelude::{Encoding, Image as ExrImage, LayerAttributes, SpecificChannels, Vec2, WritableImage};
+use exr::{
+    block::reader::Reader,
+    error::Error,
+    meta::{header::Header, magic_number},
+    prelude::{
+        Encoding, Image as ExrImage, LayerAttributes, ReadChannels, ReadLayers, SpecificChannels, Vec2, WritableImage,
+    },
+};
 
-use super::{Image, ImageError};
-use crate::atomic;
+use super::{Image, ImageError, read::ImageReadProblem, read::check_size};
+use crate::{Rgb, atomic};
+
+/// What files start with.
+pub(super) const SIGNATURE: [u8; 4] = magic_number::BYTES;
 
 impl Image {
     /// Writes the linear values as OpenEXR (channels R, G, B); the file is whole or not there.
@@ -34,10 +47,52 @@ impl Image {
     }
 }
 
+/// The picture in a file of one layer; alpha and other channels are left aside.
+///
+/// # Errors
+/// [`ImageReadProblem`]: beyond the size limits, other layers or channels, cut off or damaged.
+pub(super) fn read(from: impl Read + Seek) -> Result<Image, ImageReadProblem> {
+    let chunks = Reader::read_from_buffered(from, false).map_err(problem)?;
+    check_channels(chunks.headers())?;
+    let Vec2(width, height) = chunks.headers()[0].layer_size;
+    check_size(width, height)?;
+    // A damaged table of blocks may leave pixels out; they are not to pass for black.
+    let create = move |_, _: &_| Image::new(width, height, vec![Rgb::splat(f32::NAN); width * height]);
+    let set = move |image: &mut Image, at: Vec2<usize>, (red, green, blue): (f32, f32, f32)| {
+        if at.x() < width && at.y() < height {
+            image.pixels[at.y() * width + at.x()] = Rgb([red, green, blue]);
+        }
+    };
+    let reader = exr::prelude::read().no_deep_data().largest_resolution_level().rgb_channels(create, set);
+    let read = reader.first_valid_layer().all_attributes().non_parallel().from_chunks(chunks);
+    Ok(read.map_err(problem)?.layer_data.channel_data.pixels)
+}
+
+fn check_channels(layers: &[Header]) -> Result<(), ImageReadProblem> {
+    let full = |layer: &Header, name: &str| {
+        layer.channels.list.iter().any(|channel| channel.name.eq(name) && channel.sampling == Vec2(1, 1))
+    };
+    if let [layer] = layers
+        && ["R", "G", "B"].iter().all(|name| full(layer, name))
+    {
+        return Ok(());
+    }
+    let channels = layers.iter().flat_map(|layer| &layer.channels.list).map(|channel| channel.name.to_string());
+    let names: Vec<String> = channels.take(8).collect();
+    let layers = if let [_] = layers { "1 layer".to_owned() } else { format!("{} layers", layers.len()) };
+    Err(ImageReadProblem::Channels { found: format!("{layers} with {}", names.join(", ")) })
+}
+
+fn problem(error: Error) -> ImageReadProblem {
+    match error {
+        Error::Io(error) => error.into(),
+        other => ImageReadProblem::Damaged { format: "OpenEXR", reason: other.to_string() },
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::Rgb;
 
     #[test]
     fn an_exr_keeps_linear_values_to_the_last_bit() {
