@@ -341,3 +341,45 @@ fn training_gives_the_same_checkpoint_for_any_number_of_threads_and_its_codes_ar
     place.run_with_input(&["decode", "-", "-o", "y.npz"], &code).fails(3);
     place.run(&["encode", "chrome", "--checkpoint", "x.npz"]).fails(3);
 }
+
+#[test]
+fn speed_times_every_model_beside_the_plain_loop() {
+    let place = Place::new();
+    two_materials(&place);
+    let report = place.run(&["speed", "--reference", "two", "--material", "chrome", "--json"]).json();
+    let rows = report["evaluation"].as_array().unwrap();
+    let ratio = |name: &str| rows.iter().find(|row| row["name"] == name).unwrap()["ratio_to_reference_loop"].as_f64();
+    assert_eq!(ratio("reference_loop"), Some(1.0));
+    assert!(ratio("nbrdf_portable").unwrap() > 0.0);
+    let savings = report["pruning"]["materials"].as_array().unwrap();
+    assert_eq!(savings.len(), 2);
+    assert!(savings.iter().all(|saving| saving["multiply_adds"].as_u64().unwrap() <= 630));
+    assert!(report["codes"]["decode_s"].as_f64().unwrap() > 0.0);
+}
+
+#[test]
+fn sampling_compares_samplers_and_draws_a_chart() {
+    let place = Place::new();
+    two_materials(&place);
+    let report = place.run(&["sampling", "--reference", "two", "-o", "chart.svg", "--json"]).json();
+    let chrome = &report["rows"].as_array().unwrap()[1];
+    assert_eq!((&chrome["name"], &chrome["held_out"]), (&"chrome".into(), &true.into()));
+    let variance = |sampler: &str| chrome[sampler].as_f64().unwrap();
+    assert!(variance("lobe") < 1.0 && variance("predicted") < 2.0 && variance("cosine") > 100.0, "{chrome}");
+    assert!(String::from_utf8(place.file("chart.svg")).unwrap().starts_with("<svg"));
+    place.run(&["sampling", "--reference", "two", "-o", "chart.gif"]).fails(2);
+}
+
+#[test]
+fn a_code_is_sampled_by_the_lobe_that_it_predicts() {
+    let place = Place::new();
+    place.run(&["encode", "chrome", "-o", "chrome.json"]).ok();
+    let around = ["--environment", "softboxes", "--samples", "4", "--size", "24"];
+    for (name, material, sampler) in [("a", "chrome.json", "lobe"), ("b", "chrome", "lobe"), ("c", "chrome", "cosine")]
+    {
+        let output = format!("{name}.exr");
+        place.run(&[&["render", material, "-o", &output, "--sampler", sampler][..], &around].concat()).ok();
+    }
+    assert_ne!(place.file("b.exr"), place.file("c.exr"));
+    place.run(&["render", "chrome", "-o", "d.png", "--sampler", "cosine"]).fails(2);
+}

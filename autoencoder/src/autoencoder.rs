@@ -146,6 +146,10 @@ impl Representation for Autoencoder {
         &self.hash
     }
 
+    fn shared_bytes(&self) -> usize {
+        self.inference.decoder_bytes()
+    }
+
     fn encode(&self, target: &Material) -> Result<Code, EncodeError> {
         let mut code = vec![0.0; DIM];
         match self.architecture {

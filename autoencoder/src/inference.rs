@@ -14,6 +14,9 @@ pub(crate) trait Inference: Send + Sync {
     /// Code \[32\] of one encoder input.
     fn encode(&self, input: &[f32], code: &mut [f32]);
 
+    /// Bytes that decoding reads.
+    fn decoder_bytes(&self) -> usize;
+
     /// Weights \[675\] of one code \[32\]; allocates nothing after the first call on a thread.
     fn decode(&self, code: &[f32], weights: &mut [f32]);
 

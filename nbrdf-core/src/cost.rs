@@ -138,13 +138,13 @@ mod tests {
     }
 
     #[test]
-    fn the_reference_loop_is_once_as_fast_as_itself_and_slower_than_a_constant() {
+    fn every_model_gets_a_cost() {
         let reference = ReferenceLoop::new(&random_network(0, 0));
         let grey = Lambert { albedo: Rgb::splat(0.5) };
-        let models: [(&dyn Brdf, From); 2] = [(&reference, From::Directions), (&grey, From::Directions)];
-        let costs = Track::new(0).measure(&models, 5);
-        assert!(costs.iter().all(|cost| cost.ns > 0.0));
-        assert!(costs[1].ratio_to_reference_loop > costs[0].ratio_to_reference_loop);
+        let models: [(&dyn Brdf, From); 2] = [(&reference, From::Directions), (&grey, From::Prepared)];
+        let costs = Track::new(0).measure(&models, 2);
+        assert_eq!(costs.len(), 2);
+        assert!(costs.iter().all(|cost| cost.ns > 0.0 && cost.ratio_to_reference_loop > 0.0));
     }
 
     #[test]

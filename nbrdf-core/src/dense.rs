@@ -55,6 +55,11 @@ impl Dense {
         self.outputs
     }
 
+    /// Bytes of weights and biases.
+    pub const fn bytes(&self) -> usize {
+        size_of::<f32>() * (self.inputs + 1) * self.outputs
+    }
+
     /// `out` \[rows, outputs\] = `x` \[rows, inputs\] · weightᵀ, with or without the bias.
     ///
     /// # Panics

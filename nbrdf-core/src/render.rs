@@ -9,6 +9,7 @@
 pub mod environment;
 mod light;
 mod progressive;
+mod scrub;
 mod sequence;
 
 use std::cell::Cell;
@@ -19,6 +20,7 @@ use glam::{DMat3, DVec3};
 pub use light::{Lamp, Light};
 pub use progressive::Progressive;
 use rayon::prelude::*;
+pub use scrub::Scrub;
 
 use crate::brdf::Prepared;
 use crate::{Brdf, Directions, Image, Rgb};

@@ -25,6 +25,9 @@ pub trait Representation: Send + Sync {
     /// Hash of what was learned (basis, network); codes carry it, so that they are never read with another one.
     fn checkpoint(&self) -> &str;
 
+    /// Bytes that decoding reads beside the code, the same for all materials: basis, decoder.
+    fn shared_bytes(&self) -> usize;
+
     /// The numbers that stand for a material.
     fn encode(&self, target: &Material) -> Result<Code, EncodeError>;
 
@@ -93,6 +96,10 @@ impl<R: Representation + ?Sized> Representation for std::sync::Arc<R> {
 
     fn checkpoint(&self) -> &str {
         (**self).checkpoint()
+    }
+
+    fn shared_bytes(&self) -> usize {
+        (**self).shared_bytes()
     }
 
     fn encode(&self, target: &Material) -> Result<Code, EncodeError> {

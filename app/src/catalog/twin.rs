@@ -60,6 +60,10 @@ impl<R: Representation> Representation for WithNetwork<R> {
         self.inner.checkpoint()
     }
 
+    fn shared_bytes(&self) -> usize {
+        self.inner.shared_bytes()
+    }
+
     fn encode(&self, target: &Material) -> Result<Code, EncodeError> {
         let network = (self.source)(target).or_else(|| target.network.clone());
         self.inner.encode(&Material { network, ..target.clone() })

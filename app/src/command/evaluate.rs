@@ -7,6 +7,7 @@ use std::time::Instant;
 
 use anyhow::{Result, bail};
 use clap::Args;
+use nbrdf_core::cost::{From, REPEATS, Track};
 use nbrdf_core::metric::Spread;
 use nbrdf_core::{Code, Database, Material, Split};
 use rayon::prelude::*;
@@ -70,6 +71,7 @@ impl Evaluate {
         let total: usize = sets.iter().map(|(_, materials)| materials.len()).sum();
         let bar = progress::bar((total * entries.len()) as u64, "evaluating", global.quiet);
         let mut rows = Vec::new();
+        let track = Track::new(global.seed());
         for (database, materials) in &sets {
             let targets: Vec<Target> = materials.par_iter().map(|m| Target::new(m.brdf.as_ref())).collect();
             for entry in &entries {
@@ -91,7 +93,14 @@ impl Evaluate {
                     Ok(Measured { name: material.name.clone(), code: code.code.clone(), figures })
                 };
                 let measured = materials.par_iter().zip(&targets).zip(&codes).map(one).collect::<Result<Vec<_>>>()?;
-                rows.push(self.row(entry, *database, representation.dim(), &measured));
+                let decoded = codes.first().map(|(code, _)| representation.decode(code)).transpose()?;
+                let cost = decoded.map(|brdf| track.measure(&[(brdf.as_ref(), From::Directions)], REPEATS)[0]);
+                let mut row = self.row(entry, *database, &measured);
+                row["bytes"] = (size_of::<f32>() * representation.dim()).into();
+                row["shared_bytes"] = representation.shared_bytes().into();
+                row["ns"] = json!(cost.map(|cost| cost.ns));
+                row["ratio_to_reference_loop"] = json!(cost.map(|cost| cost.ratio_to_reference_loop));
+                rows.push(row);
             }
         }
         bar.finish_and_clear();
@@ -103,13 +112,12 @@ impl Evaluate {
         report::print(global, &out, || text(&reference.kind, split, &rows_text))
     }
 
-    fn row(&self, entry: &RepresentationEntry, database: Database, dim: usize, measured: &[Measured]) -> Value {
+    fn row(&self, entry: &RepresentationEntry, database: Database, measured: &[Measured]) -> Value {
         let mut row = Map::new();
         row.insert("name".into(), entry.name.into());
         row.insert("variant".into(), entry.variant.name().into());
         row.insert("database".into(), json!(database));
         row.insert("count".into(), measured.len().into());
-        row.insert("bytes".into(), (4 * dim).into());
         let keys: Vec<&String> = measured.first().map(|first| first.figures.keys().collect()).unwrap_or_default();
         for key in keys {
             let values = measured.iter().map(|m| (m.name.as_str(), m.figures[key]));
@@ -144,6 +152,7 @@ fn text(reference: &str, split: Split, rows: &[Value]) -> String {
     let of = if split == Split::HeldOut { "held-out" } else { "validation" };
     let mut head = vec!["representation".to_owned(), "database".to_owned()];
     head.extend(SHOWN.iter().map(|(_, title)| (*title).to_owned()));
+    head.push("ns per evaluation".to_owned());
     let mut table = Table::new(head);
     for row in rows {
         let word = |key: &str| row[key].as_str().unwrap_or_default().to_owned();
@@ -152,6 +161,7 @@ fn text(reference: &str, split: Split, rows: &[Value]) -> String {
             let number = |part: &str| row[*key][part].as_f64().unwrap_or(f64::NAN);
             format!("{} ({})", report::figure(number("mean")), report::figure(number("max")))
         }));
+        cells.push(report::figure(row["ns"].as_f64().unwrap_or(f64::NAN)));
         table.push(cells);
     }
     format!("Mean (worst) over {of} materials, reference: {reference}\n\n{table}")

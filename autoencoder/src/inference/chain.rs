@@ -31,6 +31,11 @@ impl Chain {
         Ok(Self { layers, activation })
     }
 
+    /// Bytes of all layers.
+    pub fn bytes(&self) -> usize {
+        self.layers.iter().map(Dense::bytes).sum()
+    }
+
     /// `out` \[rows, outputs\] of `x` \[rows, inputs\].
     pub fn apply(&self, x: &[f32], out: &mut [f32]) {
         let Some((last, inner)) = self.layers.split_last() else { return };

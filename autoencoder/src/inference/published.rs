@@ -38,6 +38,10 @@ impl Inference for PublishedInference {
         self.encoder.apply(&standard, code);
     }
 
+    fn decoder_bytes(&self) -> usize {
+        self.decoder.bytes() + size_of_val(&*self.mean) + size_of_val(&*self.spread)
+    }
+
     fn decode(&self, code: &[f32], weights: &mut [f32]) {
         self.decoder.apply(code, weights);
         weights.iter_mut().zip(self.units()).for_each(|(w, (mean, spread))| *w = *w * spread + mean);

@@ -91,6 +91,10 @@ impl Inference for ZnbrdfInference {
         self.channel.apply(&both, Bias::Added, &mut code[SHARED..]);
     }
 
+    fn decoder_bytes(&self) -> usize {
+        self.trunk.bytes() + self.head.bytes() + size_of_val(&*self.start) + size_of_val(&*self.spread)
+    }
+
     fn decode(&self, code: &[f32], weights: &mut [f32]) {
         let (common, own) = arrange(code);
         let mut parts = PARTS.take();

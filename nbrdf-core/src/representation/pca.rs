@@ -56,6 +56,11 @@ impl Pca {
         Ok(Self { mean, components })
     }
 
+    /// Bytes of mean and components.
+    pub fn bytes(&self) -> usize {
+        size_of::<f32>() * self.mean.len() * (1 + self.components.len())
+    }
+
     /// Coordinates of the nearest point of the learned subspace.
     pub fn project(&self, row: &[f32]) -> Vec<f32> {
         let centred: Vec<f32> = row.iter().zip(&self.mean).map(|(v, m)| v - m).collect();

@@ -38,6 +38,10 @@ impl Representation for PcaTables {
         &self.checkpoint
     }
 
+    fn shared_bytes(&self) -> usize {
+        self.pca.bytes()
+    }
+
     fn encode(&self, target: &Material) -> Result<Code, EncodeError> {
         let table = LogTable::tabulate(target.brdf.as_ref());
         if table.iter().any(|v| !v.is_finite()) {

@@ -42,6 +42,10 @@ impl Representation for PcaWeights {
         &self.checkpoint
     }
 
+    fn shared_bytes(&self) -> usize {
+        self.pca.bytes()
+    }
+
     fn encode(&self, target: &Material) -> Result<Code, EncodeError> {
         Ok(self.code(self.pca.project(network_of(self.name(), target)?.weights())))
     }

@@ -93,6 +93,10 @@ impl<R: Representation + ?Sized> Representation for Refined<R> {
         self.0.checkpoint()
     }
 
+    fn shared_bytes(&self) -> usize {
+        self.0.shared_bytes()
+    }
+
     fn encode(&self, target: &Material) -> Result<Code, EncodeError> {
         refine(self.0.as_ref(), &self.0.encode(target)?, target.brdf.as_ref())
     }

@@ -3,9 +3,9 @@
 use std::path::Path;
 
 use anyhow::{Result, bail};
-use clap::Args;
+use clap::{Args, ValueEnum};
 use nbrdf_core::render::{Environment, Progressive};
-use nbrdf_core::sampler::lobe::Lobe;
+use nbrdf_core::sampler::{Sampler, cosine::Cosine, lobe::Lobe, uniform::Uniform};
 use nbrdf_core::{Image, Representation};
 use serde_json::{Value, json};
 
@@ -28,6 +28,30 @@ pub struct Surroundings {
     #[arg(long, value_name = "N", default_value_t = 64, value_parser = clap::value_parser!(u32).range(1..=65536))]
     #[arg(requires = "environment", conflicts_with = "light")]
     samples: u32,
+    /// How lights are drawn for the material, beside those of the environment.
+    #[arg(long, value_enum, default_value_t = SamplerName::Lobe, requires = "environment", conflicts_with = "light")]
+    sampler: SamplerName,
+}
+
+/// The samplers, from good to bad.
+#[derive(Clone, Copy, Debug, ValueEnum)]
+enum SamplerName {
+    /// Predicted from a code, fitted to anything else.
+    Lobe,
+    /// In proportion to the cosine.
+    Cosine,
+    /// Everywhere alike.
+    Uniform,
+}
+
+impl SamplerName {
+    fn of(self, item: &Item, shelf: &Shelf) -> Result<Box<dyn Sampler>> {
+        Ok(match self {
+            Self::Lobe => Box::new(lobe(item, shelf)?),
+            Self::Cosine => Box::new(Cosine),
+            Self::Uniform => Box::new(Uniform),
+        })
+    }
 }
 
 fn degrees(text: &str) -> Result<f64, String> {
@@ -56,14 +80,14 @@ impl Surroundings {
         size: usize,
         global: &Global,
     ) -> Result<Image> {
-        let lobe = lobe(item, shelf)?;
+        let sampler = self.sampler.of(item, shelf)?;
         let mut picture = Progressive::new(size, environment, global.seed());
         let bar = progress::bar(self.samples.into(), "rendering", global.quiet);
         while picture.passes() < self.samples {
             if progress::cancelled() {
                 bail!("cancelled after {} of {} samples: nothing was written", picture.passes(), self.samples);
             }
-            picture.pass(item.material.brdf.as_ref(), &lobe);
+            picture.pass(item.material.brdf.as_ref(), sampler.as_ref());
             bar.inc(1);
         }
         bar.finish_and_clear();
