@@ -1,8 +1,7 @@
-"""Writes docs/results.md and the checkpoints' manifest from reports, so that no figure is typed by hand.
+"""Writes docs/results.md, docs/pruning.md and the checkpoints' manifest from reports, so that no figure is typed by hand.
 
-    target/release/nbrdf evaluate --json > target/evaluate.json
-    target/release/nbrdf compare --json > target/compare.json
-    python3 scripts/make_results.py target/evaluate.json target/compare.json
+    scripts/make_reports.sh                 (makes all reports, in target/reports; half an hour on two cores)
+    python3 scripts/make_results.py target/reports
 """
 
 import json
@@ -58,9 +57,9 @@ def spread(report: dict, database: str) -> str:
         body.append([
             f"`{row['name']}` {row['variant'].replace('_', '-')}", number(error["median"], 4), number(error["p90"], 4),
             ", ".join(error["worst"]), number(psnr["median"], 1), number(psnr["p90"], 1), ", ".join(psnr["worst"]),
-            number(row["encode_s"]["median"] * 1e3, 1),
+            number(row["encode_s"]["median"] * 1e3, 2), number(row["ns"], 1), f"{row['shared_bytes'] / 1e6:.1f}",
         ])
-    head = ["representation", "log_error median", "p90", "worst", "studio PSNR median", "p90", "worst", "encode ms"]
+    head = ["representation", "log_error median", "p90", "worst", "studio PSNR median", "p90", "worst", "encode ms", "ns per evaluation", "shared MB"]
     return table(head, body)
 
 
@@ -110,28 +109,125 @@ def conclusions(evaluate: dict, compare: dict) -> str:
     return "\n".join(out)
 
 
+def evaluation_speed(speed: dict) -> str:
+    rows = []
+    for row in speed["evaluation"]:
+        efficiency = "–" if row["efficiency"] is None else f"{row['efficiency']:.2f}"
+        rows.append([
+            f"`{row['name']}`", row["from"], number(row["ns"], 2), number(row["ratio_to_reference_loop"], 1), efficiency,
+            f"{row['bytes']:,}".replace(",", " "),
+        ])
+    return table(["model", "from", "ns", "× `reference_loop`", "efficiency", "bytes"], rows)
+
+
+def speed_section(speed: dict, fit: dict, instructions: dict, training: dict) -> str:
+    pruning, codes, spheres = speed["pruning"], speed["codes"], speed["spheres"]
+    merl = [row for row in pruning["materials"] if "/" not in row["name"]]
+    faster = {key: sum(row[key][0] / row[key][1] for row in merl) / len(merl) for key in ("ns", "prepared_ns")}
+    peaks = ", ".join(f"{peak['name']} {peak['gflops']:.0f}" for peak in speed["peaks"] if peak["name"] != "portable")
+    return f"""## Speed
+
+One thread, batches of 4096 random valid directions, RGB out; `prepared` means that half and difference vectors are
+given (the network alone). Machines differ: the ratio to `reference_loop`, the loop over `Vec<Vec<f32>>` that makes its
+half vectors without trigonometry, counts. Efficiency is 1350 flop / ns / the measured multiply-add peak of that instruction
+set (here {peaks} GFLOP/s; `{speed['instruction_set']}` measured fastest and is used).
+
+    target/release/nbrdf speed --json
+
+{evaluation_speed(speed)}
+
+- **Pruned**: over the {len(pruning['materials'])} published networks {pruning['live'][0]:.1f} + {pruning['live'][1]:.1f} of 21 + 21 units are proved to be able to fire;
+  {pruning['multiply_adds']['mean']:.0f} of 630 multiply-adds are left on average ({pruning['multiply_adds']['max']:.0f} at most), {faster['ns']:.2f} × faster from directions and {faster['prepared_ns']:.2f} × alone
+  over the 100 of MERL, bit for bit the same. Every material: [pruning.md](pruning.md).
+- **Codes** on one core: encode {codes['encode_s'] * 1e6:.0f} µs, decode {codes['decode_s'] * 1e6:.0f} µs, refine {codes['refine_s'] * 1e3:.0f} ms.
+- **Pictures** under three directional lights on {spheres['threads']} threads: four spheres of 256² in {spheres['four_of_256_s'] * 1e3:.1f} ms ({spheres['four_of_256_displayed_s'] * 1e3:.1f} ms with
+  display bytes), one of 1024² in {spheres['one_of_1024_s'] * 1e3:.1f} ms ({1 / spheres['one_of_1024_s']:.0f} per second). A frame of scrubbing allocates nothing
+  (`cargo test --release --test allocation`).
+- **Fitting** one network: {fit['nbrdf_step_s'] * 1e6:.0f} µs per step of 512 directions, {fit['times_faster']:.1f} × faster than the same steps in jitted JAX on one
+  thread ({fit['jax_step_s'] * 1e6:.0f} µs): `python scripts/bench_fit.py`.
+- **Training**: {training['own'] * 1e3:.1f} ms per step of 32 materials × 512 directions, {training['plain'] / training['own']:.0f} × faster than plain candle operations in the same
+  run ({training['plain'] * 1e3:.0f} ms): `cargo bench -p autoencoder -- "training step"`. The built-in checkpoint's {training['steps']} steps took {training['seconds'] / 60:.1f} minutes.
+- **Instructions** of one frame, a code decoded and its 128² sphere under light `studio` (AVX2, one thread): {instructions['instructions_per_frame'] / 1e6:.2f} million:
+  `scripts/count_instructions.sh`. A trend line without noise.
+"""
+
+
+def sampling_section(sampling: dict) -> str:
+    names = {"uniform": "uniform", "cosine": "cosine", "blinn_phong": "Blinn-Phong, fitted", "lobe": "lobe, fitted", "predicted_lobe": "lobe, predicted from the code"}
+    rows = [
+        [names[r["name"]], number(r["mean"], 3), number(r["median"], 4), number(r["p90"], 3), number(r["max"], 3), ", ".join(r["worst"][:3]), number(r["held_out"]["mean"], 3), number(r["held_out"]["max"], 3)]
+        for r in sampling["samplers"]
+    ]
+    head = ["sampler", "mean", "median", "p90", "worst", "worst materials", "20 held out: mean", "worst"]
+    return f"""## Importance sampling
+
+Variance of one sample of outgoing radiance under white light relative to the squared mean, averaged over viewers at 0, 10,
+..., 80°: N samples have 1/N of it, so that ratios are ratios of samples. {sampling['materials']} MERL materials.
+
+    target/release/nbrdf sampling -o docs/images/sampling.svg --json
+
+{table(head, rows)}
+
+![Variance of every material](images/sampling.svg)
+
+The same 16 samples per pixel, drawn for chrome by the cosine and by its lobe (`nbrdf render chrome --environment softboxes
+--samples 16 --sampler cosine`, `--sampler lobe`):
+
+| cosine | lobe |
+| --- | --- |
+| ![fireflies](images/chrome-cosine.png) | ![clean](images/chrome-lobe.png) |
+"""
+
+
+def pruning_page(speed: dict) -> str:
+    rows = [
+        [row["name"], str(row["live"][0]), str(row["live"][1]), str(row["multiply_adds"]), f"{row['prepared_ns'][0] / row['prepared_ns'][1]:.2f}"]
+        for row in speed["pruning"]["materials"]
+    ]
+    head = ["material", "layer 1", "layer 2", "multiply-adds", "times faster"]
+    return f"""# What pruning saves, material by material
+
+Units of 21 + 21 that are not proved to be silent, multiplications of 630 that are left, and how much faster the network
+alone is. Written by `scripts/make_results.py` from `nbrdf speed --json`; reference: {speed['reference']} networks.
+
+{table(head, rows)}
+"""
+
+
+def training_report(folder: Path, criterion: Path) -> dict:
+    """Seconds per step of ours and of plain candle from criterion's estimates, and of the whole training."""
+    def median(name: str) -> float:
+        return json.loads((criterion / "training step" / name / "new/estimates.json").read_text())["median"]["point_estimate"] * 1e-9
+
+    whole = json.loads((folder / "training.json").read_text())
+    return {"own": median("znbrdf"), "plain": median("znbrdf in plain candle"), "steps": whole["steps"], "seconds": whole["seconds"]}
+
+
 def main() -> int:
-    if len(sys.argv) != 3:
+    if len(sys.argv) != 2:
         print(__doc__, file=sys.stderr)
         return 2
-    evaluate, compare = (json.loads(Path(name).read_text()) for name in sys.argv[1:])
+    folder = Path(sys.argv[1])
+    names = ("evaluate", "compare", "speed", "fit", "instructions", "sampling")
+    evaluate, compare, speed, fit, instructions, sampling = (json.loads((folder / f"{name}.json").read_text()) for name in names)
+    training = training_report(folder, ROOT / "target/criterion")
     text = f"""# Results
 
-Written by `scripts/make_results.py` from two reports; run them to get every figure on this page again:
+Written by `scripts/make_results.py`; two commands make every figure on this page again:
 
-    target/release/nbrdf evaluate --json > target/evaluate.json
-    target/release/nbrdf compare --json > target/compare.json
-    python3 scripts/make_results.py target/evaluate.json target/compare.json
+    scripts/make_reports.sh
+    python3 scripts/make_results.py target/reports
 
 Definitions: mean (worst) over materials; PSNR in dB; errors are against the {evaluate['reference']} networks, which stand
 for the measured tables (not at hand), so the network representation itself is the reference and no contestant.
-Codes of all representations here are 32 numbers, 128 bytes; what is shared, and evaluation speed, are not measured yet.
-One seed each: differences of a few percent are noise.
+Codes of all representations here are 32 numbers, 128 bytes. One seed each: differences of a few percent are noise.
 
 ## In short
 
 {conclusions(evaluate, compare)}
 
+{speed_section(speed, fit, instructions, training)}
+{sampling_section(sampling)}
 ## Representations, 20 held-out MERL materials
 
 {evaluation(evaluate, "merl")}
@@ -162,6 +258,7 @@ distribution* here; the lobes that were never trained on are still to be measure
 {families(compare)}
 """
     (ROOT / "docs/results.md").write_text(text)
+    (ROOT / "docs/pruning.md").write_text(pruning_page(speed))
     keep = ("log_error", "studio_psnr", "studio_ssim", "studio_flip", "studio_delta_e_itp")
     names = ("znbrdf", "published_autoencoder")
     figures = [

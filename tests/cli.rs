@@ -50,6 +50,8 @@ fn list_names_every_built_in_material_and_its_split() {
 fn info_tells_energy_size_and_how_well_the_model_knows_a_material() {
     let report = Place::new().run(&["info", "chrome", "--json"]).json();
     assert_eq!((&report["bytes"]["weights"], &report["bytes"]["code"]), (&2700.into(), &128.into()));
+    assert!(report["live"]["multiply_adds"].as_u64().unwrap() < report["live"]["of_multiply_adds"].as_u64().unwrap());
+    assert!(report["lobe"]["share"].as_f64().unwrap() > 0.5, "chrome is nearly a mirror");
     for key in ["albedo_max", "reciprocity", "negative_share"] {
         assert!(report[key].as_f64().unwrap() >= 0.0, "{key}");
     }

@@ -7,7 +7,7 @@ use egui::accesskit::Role;
 use egui::{Key, Modifiers};
 use egui_kittest::{Harness, kittest::Queryable as _};
 use nbrdf::gui::{Session, Workbench};
-use nbrdf::worker::{Card, Stock};
+use nbrdf::worker::{Card, Lighting, Stock};
 
 fn quick() -> Session {
     Session { methods: vec!["raw_weights"], strips: false, ..Session::default() }
@@ -93,6 +93,37 @@ fn film_strips_show_whole_paths_and_go_there() {
     harness.get_by_label("Raw weights at 0.250").click();
     harness.run_steps(2);
     assert_eq!(harness.state().session.t, 0.25);
+}
+
+#[test]
+fn light_from_all_around_settles_and_lamps_come_back() {
+    let around = Lighting::Around { map: 0, turn: 0.3 };
+    let mut harness = open(Stock::built_in(), Session { lighting: around, ..quick() }, [640.0, 480.0]);
+    settle(&mut harness);
+    assert!(harness.query_by_label("Sphere raw_weights: shown").is_some());
+    let figures = |bench: &Workbench| bench.gallery.view(Card::A).and_then(|view| view.figures);
+    assert!(figures(harness.state()).is_none(), "grainy pictures are not judged");
+    harness.state_mut().session.lighting = Lighting::Studio;
+    harness.run_steps(2);
+    settle(&mut harness);
+    assert!(figures(harness.state()).is_some());
+}
+
+#[test]
+fn a_map_that_is_opened_is_shown_and_one_that_is_none_is_a_notice() {
+    let folder = tempfile::tempdir().unwrap();
+    let map = folder.path().join("room.exr");
+    let grey = nbrdf_core::Image::new(8, 4, vec![nbrdf_core::Rgb::splat(0.5); 32]);
+    grey.write_exr(&map).unwrap();
+    let mut harness = built_in(quick());
+    harness.state().open(map);
+    until(&mut harness, "the map is listed", |bench| bench.gallery.maps.len() == 2);
+    assert_eq!(harness.state().session.lighting, Lighting::Around { map: 1, turn: 0.0 });
+    let square = folder.path().join("square.exr");
+    nbrdf_core::Image::black(4, 4).write_exr(&square).unwrap();
+    harness.state().open(square);
+    until(&mut harness, "there is a notice", |bench| !bench.gallery.notices.is_empty());
+    assert!(harness.state().gallery.notices[0].contains("square.exr"), "{:?}", harness.state().gallery.notices);
 }
 
 #[test]

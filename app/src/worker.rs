@@ -8,19 +8,22 @@ mod figures;
 mod mailbox;
 mod paths;
 mod picture;
+mod plates;
 mod shelf;
 mod spheres;
 mod stock;
+mod surround;
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::PathBuf;
 use std::sync::{Arc, PoisonError, RwLock, mpsc};
 
-use nbrdf_core::render::Light;
+use nbrdf_core::render::{Environment, Light};
 use nbrdf_core::{Material, Vec3};
 
 pub use figures::Figures;
 pub use picture::Picture;
+pub use plates::Plates;
 pub use stock::Stock;
 
 use mailbox::Mailbox;
@@ -47,13 +50,22 @@ pub enum Lighting {
     Studio,
     /// One lamp in this direction: +x right, +y up, +z towards the viewer.
     Point(Vec3),
+    /// A map all around, sample after sample.
+    Around {
+        /// Its place in the list of maps; 0 is the built-in one.
+        map: usize,
+        /// How far it is turned about the vertical axis \[rad\].
+        turn: f32,
+    },
 }
 
 impl Lighting {
-    fn light(self) -> Light {
+    /// The lamps; none where light comes from all around.
+    fn lamps(self) -> Option<Light> {
         match self {
-            Self::Studio => Light::studio(),
-            Self::Point(direction) => Light::directional(direction),
+            Self::Studio => Some(Light::studio()),
+            Self::Point(direction) => Some(Light::directional(direction)),
+            Self::Around { .. } => None,
         }
     }
 }
@@ -82,8 +94,8 @@ pub struct Request {
 pub enum Answer {
     /// A sphere, coarse or fine.
     Picture(Card, Picture),
-    /// How a sphere compares with the linear mix.
-    Figures(Card, Figures),
+    /// How a sphere compares with the linear mix; none where the light is too noisy to tell.
+    Figures(Card, Option<Figures>),
     /// A sphere has to wait for its path.
     Pending(Card),
     /// There is no such sphere.
@@ -98,6 +110,8 @@ pub enum Answer {
     Thumbnail(String, Picture),
     /// Names of materials read from a file.
     Opened(Vec<String>),
+    /// A map was read: all maps by name, the new one last.
+    Surround(Vec<String>),
     /// Something to tell the user.
     Notice(String),
 }
@@ -108,14 +122,20 @@ pub struct Worker {
     wants: Arc<Mailbox<Vec<paths::Key>>>,
     files: mpsc::Sender<PathBuf>,
     answers: mpsc::Receiver<Answer>,
+    plates: Plates,
     number: u64,
 }
+
+/// Maps by name.
+type Maps = Vec<(String, Environment)>;
 
 /// What all threads share.
 #[derive(Clone)]
 struct Office {
     stock: Arc<Stock>,
     materials: Arc<RwLock<Vec<Material>>>,
+    maps: Arc<RwLock<Maps>>,
+    plates: Plates,
     paths: Arc<Paths>,
     requests: Arc<Mailbox<(u64, Request)>>,
     wants: Arc<Mailbox<Vec<paths::Key>>>,
@@ -130,6 +150,8 @@ impl Worker {
         let (files, opened) = mpsc::channel();
         let office = Office {
             materials: Arc::new(RwLock::new(stock.materials.clone())),
+            maps: Arc::new(RwLock::new(vec![("Soft boxes".to_owned(), Environment::softboxes())])),
+            plates: Plates::default(),
             stock: Arc::new(stock),
             paths: Arc::default(),
             requests: Arc::default(),
@@ -138,11 +160,12 @@ impl Worker {
             wake: Arc::new(wake),
         };
         let (requests, wants) = (Arc::clone(&office.requests), Arc::clone(&office.wants));
+        let plates = office.plates.clone();
         let [for_paths, for_spheres] = [office.clone(), office.clone()];
         std::thread::spawn(move || paths::run(&for_paths));
         std::thread::spawn(move || spheres::run(for_spheres));
         std::thread::spawn(move || shelf::run(&office, &opened));
-        Self { requests, wants, files, answers, number: 0 }
+        Self { requests, wants, files, answers, plates, number: 0 }
     }
 
     /// Asks for spheres; replaces what was asked before. The number comes back in [`Answer::Done`].
@@ -152,7 +175,12 @@ impl Worker {
         self.number
     }
 
-    /// Asks to read the materials of a file, a folder or an archive.
+    /// Where buffers of pictures go back to once they are shown.
+    pub fn plates(&self) -> Plates {
+        self.plates.clone()
+    }
+
+    /// Asks to read the materials of a file, a folder or an archive, or an environment map.
     pub fn open(&self, path: PathBuf) {
         // The thread outlives the sender, unless the process is about to end.
         let _ = self.files.send(path);
@@ -176,6 +204,19 @@ impl Office {
         // Nobody listens once the window is closed.
         let _ = self.answers.send(answer);
         (self.wake)();
+    }
+
+    /// Adds a map; the names of all.
+    fn surround_with(&self, name: String, environment: Environment) -> Vec<String> {
+        let mut maps = self.maps.write().unwrap_or_else(PoisonError::into_inner);
+        maps.push((name, environment));
+        maps.iter().map(|(name, _)| name.clone()).collect()
+    }
+
+    /// The map in this place; the built-in one where there is none.
+    fn map(&self, place: usize) -> Environment {
+        let maps = self.maps.read().unwrap_or_else(PoisonError::into_inner);
+        maps.get(place).map_or_else(Environment::softboxes, |(_, environment)| environment.clone())
     }
 
     fn material(&self, name: &str) -> Option<Material> {

@@ -3,8 +3,10 @@
 use anyhow::Result;
 use clap::Args;
 use nbrdf_core::metric::{ImageMetric, Metric, Physics, Rendered, directional_albedo, log_error};
+use nbrdf_core::nbrdf::Live;
+use nbrdf_core::sampler::lobe::Lobe;
 use nbrdf_core::sampling::{evaluate, rus32k};
-use nbrdf_core::{Database, Material, Representation};
+use nbrdf_core::{Database, Material, Nbrdf, Representation};
 use serde_json::{Value, json};
 
 use super::Global;
@@ -43,7 +45,9 @@ impl Info {
         let summary = json!({
             "schema": 1, "name": item.material.name, "database": Database::of(&item.material.name),
             "split": item.split(), "held_out": item.split() == Some(nbrdf_core::Split::HeldOut),
-            "hidden": item.material.network.as_ref().map(nbrdf_core::Nbrdf::hidden),
+            "hidden": item.material.network.as_ref().map(Nbrdf::hidden),
+            "live": item.material.network.as_ref().map(live),
+            "lobe": Lobe::fit(item.material.brdf.as_ref()),
             "bytes": bytes(&item, znbrdf.dim()),
             "albedo": albedo.iter().map(|(angle, rgb)| json!({"degrees": angle, "rgb": rgb})).collect::<Vec<_>>(),
             "albedo_max": physics.albedo_max, "negative_share": physics.negative_share,
@@ -71,6 +75,15 @@ fn albedo(material: &Material, degrees: u16) -> [f32; 3] {
     directional_albedo(material.brdf.as_ref(), f32::from(degrees).to_radians()).0
 }
 
+/// What of a network can ever fire.
+fn live(network: &Nbrdf) -> Value {
+    let (live, whole) = (network.live(), Live::all(network.hidden()));
+    json!({
+        "units": live.units.each_ref().map(Vec::len), "multiply_adds": live.multiply_adds(),
+        "of_multiply_adds": whole.multiply_adds(),
+    })
+}
+
 /// Size of each form as f32; what is shared by all materials is not counted.
 fn bytes(item: &Item, dim: usize) -> Value {
     let weights = item.material.network.as_ref().map(|network| size_of_val(network.weights()));
@@ -91,6 +104,14 @@ fn text(item: &Item, physics: &Physics, albedo: &[(u16, [f32; 3])], known: &Know
         let (count, bytes) = (network.weights().len(), size_of_val(network.weights()));
         line("network", format!("6-{first}-{second}-3, {count} weights, {bytes} bytes"));
     }
+    if let Some(network) = &item.material.network {
+        let (live, [first, second]) = (network.live(), network.hidden());
+        let [own, all] = [live.multiply_adds(), Live::all(network.hidden()).multiply_adds()];
+        let [fire, also] = live.units.each_ref().map(Vec::len);
+        line("can fire", format!("{fire} + {also} of {first} + {second} units: {own} of {all} multiply-adds"));
+    }
+    let lobe = Lobe::fit(item.material.brdf.as_ref());
+    line("lobe to sample", format!("share {:.3}, width {:.4}", lobe.share, lobe.width));
     let (model, numbers) = item.code.as_ref().map_or(("znbrdf", dim), |code| (&code.model, code.code.len()));
     line("code", format!("{model}, {numbers} numbers, {} bytes", 4 * numbers));
     for (angle, [r, g, b]) in albedo {

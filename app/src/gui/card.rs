@@ -105,8 +105,11 @@ impl CardPanel<'_> {
         if sphere.dragged()
             && let Some(pointer) = sphere.interact_pointer_pos()
         {
-            let from_middle = (pointer - rect.center()) / (rect.width() / 2.0);
-            self.session.point_at(from_middle.x, -from_middle.y);
+            let radius = rect.width() / 2.0;
+            if !self.session.turn_by(sphere.drag_delta().x / radius) {
+                let from_middle = (pointer - rect.center()) / radius;
+                self.session.point_at(from_middle.x, -from_middle.y);
+            }
             ui.ctx().set_cursor_icon(CursorIcon::Crosshair);
         }
     }

@@ -13,11 +13,13 @@ use crate::worker::Lighting;
 /// The bottom panel.
 pub struct Controls<'a> {
     pub session: &'a mut Session,
+    /// Names of the environment maps.
+    pub maps: &'a [String],
 }
 
 impl Controls<'_> {
     pub fn show(self, ui: &mut Ui) {
-        let Self { session } = self;
+        let Self { session, maps } = self;
         ui.add_space(4.0);
         ui.horizontal(|ui| {
             play(ui, session);
@@ -28,7 +30,7 @@ impl Controls<'_> {
         ui.horizontal(|ui| {
             exposure(ui, session);
             ui.add_space(12.0);
-            light(ui, session);
+            light(ui, session, maps);
             ui.add_space(12.0);
             if ui.button("Reset").on_hover_text("t, exposure and light as at the start").clicked() {
                 session.reset();
@@ -75,23 +77,40 @@ fn exposure(ui: &mut Ui, session: &mut Session) {
     ui.add(slider.fixed_decimals(2)).labelled_by(label.id).on_hover_text("Each stop doubles the light that is shown");
 }
 
-fn light(ui: &mut Ui, session: &mut Session) {
+fn light(ui: &mut Ui, session: &mut Session, maps: &[String]) {
     let label = ui.label(RichText::new("Light").weak());
-    let name = if session.lighting == Lighting::Studio { "Studio" } else { "Point" };
-    let combo = ComboBox::from_id_salt("light").selected_text(name).width(84.0).show_ui(ui, |ui| {
-        if ui.selectable_label(name == "Studio", "Studio").on_hover_text("Eleven lamps, as in reports").clicked() {
-            session.lighting = Lighting::Studio;
-        }
-        if ui.selectable_label(name == "Point", "Point").on_hover_text("One lamp; drag on a sphere").clicked()
-            && name != "Point"
-        {
-            session.lighting = Lighting::Point(Vec3::new(1.0, 0.0, 1.0).normalize());
+    let name = match session.lighting {
+        Lighting::Studio => "Studio",
+        Lighting::Point(_) => "Point",
+        Lighting::Around { map, .. } => maps.get(map).map_or("Map", String::as_str),
+    };
+    let lamp = Lighting::Point(Vec3::new(1.0, 0.0, 1.0).normalize());
+    let mut choices = vec![
+        ("Studio", "Eleven lamps, as in reports", Lighting::Studio),
+        ("Point", "One lamp; drag on a sphere", lamp),
+    ];
+    let about = "All around, sample after sample; drag on a sphere to turn it. Drop .hdr and .exr maps on the window";
+    choices
+        .extend(maps.iter().enumerate().map(|(map, name)| (name.as_str(), about, Lighting::Around { map, turn: 0.0 })));
+    let combo = ComboBox::from_id_salt("light").selected_text(name).width(104.0).show_ui(ui, |ui| {
+        for (own, about, lighting) in choices {
+            if ui.selectable_label(own == name, own).on_hover_text(about).clicked() && own != name {
+                session.lighting = lighting;
+            }
         }
     });
     combo.response.labelled_by(label.id);
 }
 
 fn direction(ui: &mut Ui, session: &mut Session) {
+    if let Lighting::Around { turn, .. } = &mut session.lighting {
+        let mut degrees = turn.to_degrees().round();
+        let field = ui.add(DragValue::new(&mut degrees).range(-180..=180).prefix("turned ").suffix("°"));
+        if field.on_hover_text("Turn of the map about the vertical axis").changed() {
+            *turn = degrees.to_radians();
+        }
+        return;
+    }
     let Lighting::Point(direction) = session.lighting else {
         ui.add(Label::new(RichText::new("drag a sphere to place a lamp").weak()).truncate());
         return;

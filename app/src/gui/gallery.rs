@@ -4,7 +4,7 @@ use std::collections::HashMap;
 
 use egui::{ColorImage, Context, TextureHandle, TextureOptions};
 
-use crate::worker::{Answer, Card, Figures, Picture};
+use crate::worker::{Answer, Card, Figures, Picture, Plates};
 
 /// All pictures on the screen.
 #[derive(Default)]
@@ -17,6 +17,9 @@ pub struct Gallery {
     pub preparing: Option<&'static str>,
     /// Number of the last request shown in full.
     pub done: u64,
+    /// Names of the environment maps.
+    pub maps: Vec<String>,
+    plates: Plates,
     thumbnails: HashMap<String, TextureHandle>,
     views: HashMap<Card, View>,
     frames: HashMap<(Card, usize), TextureHandle>,
@@ -47,8 +50,8 @@ pub enum State {
 
 impl Gallery {
     /// Nothing to see yet of these materials.
-    pub fn of(names: Vec<String>) -> Self {
-        Self { names, ..Self::default() }
+    pub fn of(names: Vec<String>, plates: Plates) -> Self {
+        Self { names, plates, maps: vec!["Soft boxes".to_owned()], ..Self::default() }
     }
 
     /// Takes an answer in.
@@ -56,25 +59,26 @@ impl Gallery {
         match answer {
             Answer::Picture(card, picture) => {
                 let view = self.views.entry(card).or_default();
-                show(context, &mut view.texture, picture);
+                show(context, &self.plates, &mut view.texture, picture);
                 view.state = State::Shown;
             }
-            Answer::Figures(card, figures) => self.views.entry(card).or_default().figures = Some(figures),
+            Answer::Figures(card, figures) => self.views.entry(card).or_default().figures = figures,
             Answer::Pending(card) => self.fail(card, State::Pending),
             Answer::Failed(card, why) => self.fail(card, State::Failed(why)),
             Answer::Frame(card, step, picture) => {
                 let mut texture = self.frames.remove(&(card, step));
-                show(context, &mut texture, picture);
+                show(context, &self.plates, &mut texture, picture);
                 self.frames.extend(texture.map(|texture| ((card, step), texture)));
             }
             Answer::Done(number) => self.done = number,
             Answer::Preparing(what) => self.preparing = what,
             Answer::Thumbnail(name, picture) => {
                 let mut texture = None;
-                show(context, &mut texture, picture);
+                show(context, &self.plates, &mut texture, picture);
                 self.thumbnails.extend(texture.map(|texture| (name, texture)));
             }
             Answer::Opened(names) => self.names.extend(names),
+            Answer::Surround(names) => self.maps = names,
             Answer::Notice(text) => self.notify(text),
         }
     }
@@ -115,8 +119,9 @@ impl Gallery {
     }
 }
 
-fn show(context: &Context, texture: &mut Option<TextureHandle>, picture: Picture) {
+fn show(context: &Context, plates: &Plates, texture: &mut Option<TextureHandle>, picture: Picture) {
     let image = ColorImage::from_rgba_premultiplied([picture.size; 2], &picture.rgba);
+    plates.give_back(picture.rgba);
     match texture {
         Some(texture) => texture.set(image, TextureOptions::LINEAR),
         None => *texture = Some(context.load_texture("sphere", image, TextureOptions::LINEAR)),

@@ -137,6 +137,15 @@ impl Session {
         self.lighting = Lighting::Point(Vec3::new(2.0 * z * x, 2.0 * z * y, 2.0 * z * z - 1.0));
     }
 
+    /// Turns the map that surrounds the spheres by so many radii of a sphere; false where there is none.
+    pub fn turn_by(&mut self, radii: f32) -> bool {
+        let Lighting::Around { turn, .. } = &mut self.lighting else { return false };
+        // Half a sphere across is a quarter of a turn; the far side is reached by going on.
+        let around = std::f32::consts::TAU;
+        *turn = (*turn + radii * std::f32::consts::FRAC_PI_2 + 0.5 * around).rem_euclid(around) - 0.5 * around;
+        true
+    }
+
     /// Where a mirror sphere shows the point light, in radii from the middle, if there is one.
     pub fn highlight(&self) -> Option<[f32; 2]> {
         let Lighting::Point(direction) = self.lighting else { return None };
@@ -198,6 +207,17 @@ mod tests {
         assert!((x - 0.3).abs() < 1e-5 && (y + 0.4).abs() < 1e-5);
         session.point_at(5.0, 0.0);
         assert!((session.highlight().unwrap()[0] - 0.75).abs() < 1e-5);
+    }
+
+    #[test]
+    fn dragging_turns_a_map_and_never_beyond_half_a_turn() {
+        let mut session = Session { lighting: Lighting::Around { map: 0, turn: 0.0 }, ..Session::default() };
+        for (radii, quarters) in [(1.0, 1.0), (2.0, -1.0)] {
+            assert!(session.turn_by(radii));
+            let Lighting::Around { turn, .. } = session.lighting else { panic!("{:?}", session.lighting) };
+            assert!((turn - quarters * std::f32::consts::FRAC_PI_2).abs() < 1e-5, "{turn}");
+        }
+        assert!(!Session::default().turn_by(1.0));
     }
 
     #[test]

@@ -12,7 +12,7 @@ use super::notices::Notices;
 use super::shelf::Shelf;
 use super::status::Status;
 use super::{Gallery, Session, look};
-use crate::worker::{Request, Stock, Worker};
+use crate::worker::{Answer, Lighting, Request, Stock, Worker};
 
 /// Largest picture of a sphere in pixels; beyond, it is enlarged.
 const MOST_PIXELS: usize = 640;
@@ -33,10 +33,10 @@ impl Workbench {
     pub fn new(stock: Stock, session: Session) -> Self {
         let context: Arc<OnceLock<Context>> = Arc::default();
         let names = stock.materials.iter().map(|material| material.name.clone()).collect();
-        let gallery = Gallery::of(names);
         let window = Arc::clone(&context);
         let wake = move || window.get().into_iter().for_each(Context::request_repaint);
-        Self { session, gallery, worker: Worker::start(stock, wake), context, asked: None }
+        let worker = Worker::start(stock, wake);
+        Self { session, gallery: Gallery::of(names, worker.plates()), worker, context, asked: None }
     }
 
     /// Adds the materials of a file.
@@ -58,6 +58,10 @@ impl Workbench {
             ui.ctx().request_repaint();
         }
         for answer in self.worker.answers() {
+            // Whoever opens a map wants to see it.
+            if let Answer::Surround(names) = &answer {
+                self.session.lighting = Lighting::Around { map: names.len() - 1, turn: 0.0 };
+            }
             self.gallery.take(ui.ctx(), answer);
         }
         self.inputs(ui);
@@ -96,7 +100,7 @@ impl Workbench {
             .resizable(false)
             .frame(frame(10, 10))
             .show(ui, |ui| Shelf { session, gallery }.show(ui));
-        Panel::bottom("controls").frame(frame(14, 4)).show(ui, |ui| Controls { session }.show(ui));
+        Panel::bottom("controls").frame(frame(14, 4)).show(ui, |ui| Controls { session, maps: &gallery.maps }.show(ui));
         let middle = CentralPanel::default().frame(frame(12, 12)).show(ui, |ui| {
             Notices { gallery }.show(ui);
             Cards { session, gallery }.show(ui)

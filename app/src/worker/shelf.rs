@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 use std::sync::{PoisonError, mpsc};
 
-use nbrdf_core::render::{Light, Sphere};
+use nbrdf_core::render::{Environment, Light, Sphere};
 use nbrdf_core::{Library, Material};
 
 use super::{Answer, Office, guarded, picture::Picture};
@@ -16,6 +16,13 @@ pub(super) fn run(office: &Office, files: &mpsc::Receiver<PathBuf>) {
     let sphere = Sphere::new(SIZE, &Light::studio());
     thumbnails(office, &sphere, &office.stock.materials);
     for path in files {
+        if is_map(&path) {
+            match guarded("Reading the map", || Environment::load(&path).map_err(|error| error.to_string())) {
+                Ok(Ok(environment)) => office.say(Answer::Surround(office.surround_with(name_of(&path), environment))),
+                Ok(Err(why)) | Err(why) => office.say(Answer::Notice(why)),
+            }
+            continue;
+        }
         match guarded("Reading the file", || read(office, &path)) {
             Ok(Ok(materials)) => {
                 let names = materials.iter().map(|material| material.name.clone()).collect();
@@ -30,16 +37,26 @@ pub(super) fn run(office: &Office, files: &mpsc::Receiver<PathBuf>) {
 
 fn thumbnails(office: &Office, sphere: &Sphere, materials: &[Material]) {
     for Material { name, brdf, .. } in materials {
-        match guarded(name, || Picture::of(&sphere.render(brdf.as_ref()))) {
+        match guarded(name, || Picture::of(&sphere.render(brdf.as_ref()), 0.0, &office.plates)) {
             Ok(picture) => office.say(Answer::Thumbnail(name.clone(), picture)),
             Err(why) => office.say(Answer::Notice(why)),
         }
     }
 }
 
+/// An environment map, by its extension.
+fn is_map(path: &Path) -> bool {
+    let extension = path.extension().and_then(|extension| extension.to_str()).unwrap_or_default();
+    ["hdr", "exr"].iter().any(|map| extension.eq_ignore_ascii_case(map))
+}
+
+fn name_of(path: &Path) -> String {
+    path.file_stem().map_or_else(String::new, |stem| stem.to_string_lossy().into_owned())
+}
+
 fn read(office: &Office, path: &Path) -> Result<Vec<Material>, String> {
     let mut materials = Library::load(path).map_err(|error| error.to_string())?.materials();
-    let stem = path.file_stem().map_or_else(String::new, |stem| stem.to_string_lossy().into_owned());
+    let stem = name_of(path);
     for material in &mut materials {
         // Two files may hold a material of one name; both stay.
         let (name, mut copy) = (material.name.clone(), 1);

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use std::time::{Duration, Instant};
 
 use nbrdf_core::path::mix::{Mix, Mixed};
-use nbrdf_core::render::{METRIC_SIZE, Sphere};
+use nbrdf_core::render::{Light, METRIC_SIZE, Sphere};
 use nbrdf_core::{Brdf, Image, Path, Weights};
 use rayon::prelude::*;
 
@@ -17,28 +17,36 @@ use super::{Answer, Card, Lighting, Office, Request, STRIP_STEPS, guarded};
 /// All fine pictures together may take this long before coarse ones go ahead of them.
 const AT_ONCE: Duration = Duration::from_millis(25);
 /// How long nothing new must come before fine pictures are rendered.
-const QUIET: Duration = Duration::from_millis(60);
+pub(super) const QUIET: Duration = Duration::from_millis(60);
+/// The linear mix is kept under a name that no method of the catalog has.
+const MIX: Card = Card::Method("");
 
 /// What a picture shows: card, ends, t of a method.
 type Subject = (Card, [String; 2], u32);
+/// What a picture in the window shows: subject, light, exposure, size.
+type Sent = (Subject, Lighting, u32, usize);
 
-/// One sphere to render.
-struct Shown {
+/// A picture that is rendered over and over.
+struct Film {
     subject: Subject,
-    brdf: Arc<dyn Brdf>,
+    lighting: Lighting,
+    image: Image,
 }
 
 /// The thread's memory.
-struct Studio {
-    office: Office,
+pub(super) struct Studio {
+    pub(super) office: Office,
     spheres: HashMap<usize, (Lighting, Arc<Sphere>)>,
-    images: HashMap<(Card, usize), (Subject, Lighting, Arc<Image>)>,
-    sent: HashMap<Card, (Subject, Lighting, u32, usize)>,
+    /// The present point of every path, moved in place.
+    points: HashMap<Card, Box<dyn Brdf>>,
+    films: HashMap<(Card, usize), Film>,
+    sent: HashMap<Card, Sent>,
     strips: HashMap<Card, ([String; 2], Lighting, u32, usize)>,
     /// What the user was told about these ends; nobody wants to dismiss it twice.
     told: ([String; 2], HashSet<String>),
     /// Running mean of seconds per pixel and lamp.
     pace: f64,
+    pub(super) lobes: super::surround::Lobes,
 }
 
 /// Renders the newest request until the mailbox closes.
@@ -47,11 +55,13 @@ pub(super) fn run(office: Office) {
     let mut studio = Studio {
         office,
         spheres: HashMap::new(),
-        images: HashMap::new(),
+        points: HashMap::new(),
+        films: HashMap::new(),
         sent: HashMap::new(),
         strips: HashMap::new(),
         told: Default::default(),
         pace: 2e-8,
+        lobes: Default::default(),
     };
     while let Some((number, request)) = requests.take() {
         match guarded("Rendering", || studio.show(&request)) {
@@ -68,33 +78,40 @@ pub(super) fn run(office: Office) {
 impl Studio {
     /// Whether everything there is to show was shown.
     fn show(&mut self, request: &Request) -> bool {
-        let Some((spheres, mix, pending)) = self.gather(request) else { return true };
-        let lamps = request.lighting.light().lamps.len();
-        let work = (spheres.len() * request.size * request.size * lamps) as f64;
+        let Some((spheres, pending)) = self.gather(request) else { return true };
+        let Some(light) = request.lighting.lamps() else {
+            // Lamps start anew afterwards.
+            self.sent.clear();
+            self.strips.clear();
+            return self.surround(&spheres.iter().map(|subject| subject.0).collect::<Vec<_>>(), request) && !pending;
+        };
+        let work = (spheres.len() * request.size * request.size * light.lamps.len()) as f64;
         let at_once = work * self.pace < AT_ONCE.as_secs_f64();
         let size = if at_once { request.size } else { METRIC_SIZE.min(request.size) };
-        for sphere in &spheres {
-            self.send(sphere, request, size);
+        for subject in &spheres {
+            self.send(subject, request, &light, size);
         }
-        self.compare(&spheres, &mix, request);
+        self.compare(&spheres, request, &light);
         if !at_once {
             if !self.office.requests.stays_quiet(QUIET) {
                 return false;
             }
-            for sphere in &spheres {
-                self.send(sphere, request, request.size);
+            for subject in &spheres {
+                self.send(subject, request, &light, request.size);
                 if self.office.requests.has_news() {
                     return false;
                 }
             }
         }
-        self.roll(request) && !pending
+        self.roll(request, &light) && !pending
     }
 
-    /// The spheres of a request that can be rendered by now, the linear mix, and whether some must wait.
-    fn gather(&mut self, request: &Request) -> Option<(Vec<Shown>, Shown, bool)> {
+    /// What of a request can be rendered by now, and whether some must wait. Points of paths, ends and the linear mix
+    /// lie in `points` afterwards.
+    fn gather(&mut self, request: &Request) -> Option<(Vec<Subject>, bool)> {
         let ends = &request.ends;
         let mut found = Vec::new();
+        let mut parts = Vec::new();
         for (card, name) in [Card::A, Card::B].into_iter().zip(ends) {
             let Some(material) = self.office.material(name) else {
                 let why = format!("There is no material `{name}`; choose one from the list.");
@@ -102,23 +119,23 @@ impl Studio {
                 self.tell(ends, why);
                 continue;
             };
-            let alone = [name.clone(), String::new()];
-            found.push(Shown { subject: (card, alone, 0), brdf: material.brdf });
+            self.points.insert(card, Box::new(Mixed::new(Mix::Linear, vec![(1.0, Arc::clone(&material.brdf))])));
+            let weight = if card == Card::A { 1.0 - request.t } else { request.t };
+            parts.push((weight, material.brdf));
+            found.push((card, [name.clone(), String::new()], 0));
         }
-        let [a, b] = found.as_slice() else { return None };
-        let parts = vec![(1.0 - request.t, Arc::clone(&a.brdf)), (request.t, Arc::clone(&b.brdf))];
+        if found.len() < 2 {
+            return None;
+        }
         let parts = parts.into_iter().filter(|(weight, _)| *weight != 0.0).collect();
-        // The mix is kept under a name that no method of the catalog has.
-        let subject = (Card::Method(""), ends.clone(), request.t.to_bits());
-        let mix = Shown { subject, brdf: Arc::new(Mixed::new(Mix::Linear, parts)) };
+        self.points.insert(MIX, Box::new(Mixed::new(Mix::Linear, parts)));
         let mut wanted = Vec::new();
         for &method in &request.methods {
             let card = Card::Method(method);
-            let subject = (card, ends.clone(), request.t.to_bits());
             let key = (ends.clone(), method);
             match self.office.paths.get(&key) {
-                Some(Prepared::Ready(path)) => match point(path.as_ref(), request.t) {
-                    Ok(brdf) => found.push(Shown { subject, brdf }),
+                Some(Prepared::Ready(path)) => match self.move_to(card, path.as_ref(), request.t) {
+                    Ok(()) => found.push((card, ends.clone(), request.t.to_bits())),
                     Err(why) => self.withdraw(card, Answer::Failed(card, why)),
                 },
                 Some(Prepared::Failed(why)) => self.withdraw(card, Answer::Failed(card, why)),
@@ -132,17 +149,32 @@ impl Studio {
         if pending {
             self.office.wants.put(wanted);
         }
-        Some((found, mix, pending))
+        Some((found, pending))
+    }
+
+    /// Puts a card's point at t: in place, where there is one.
+    fn move_to(&mut self, card: Card, path: &dyn Path, t: f32) -> Result<(), String> {
+        let weights = Weights::two(t);
+        let moved = guarded("The path", || match self.points.get_mut(&card) {
+            Some(point) => path.move_to(&weights, point),
+            None => path.at(&weights).map(|point| drop(self.points.insert(card, point))),
+        })?;
+        moved.map_err(|error| error.to_string())
+    }
+
+    /// The material that a card shows now.
+    pub(super) fn point(&self, card: Card) -> Option<&dyn Brdf> {
+        self.points.get(&card).map(Box::as_ref)
     }
 
     /// There is no such sphere now: the window forgets what it has of it, so nothing counts as sent.
-    fn withdraw(&mut self, card: Card, answer: Answer) {
+    pub(super) fn withdraw(&mut self, card: Card, answer: Answer) {
         self.sent.remove(&card);
         self.strips.remove(&card);
         self.office.say(answer);
     }
 
-    fn tell(&mut self, ends: &[String; 2], why: String) {
+    pub(super) fn tell(&mut self, ends: &[String; 2], why: String) {
         if self.told.0 != *ends {
             self.told = (ends.clone(), HashSet::new());
         }
@@ -152,18 +184,20 @@ impl Studio {
     }
 
     /// Renders and sends a sphere, unless the window has that picture.
-    fn send(&mut self, shown: &Shown, request: &Request, size: usize) {
-        let card = shown.subject.0;
-        let stamp = (shown.subject.clone(), request.lighting, request.exposure.to_bits(), size);
-        let is_there = |sent: &(Subject, Lighting, u32, usize)| {
-            (&sent.0, sent.1, sent.2) == (&stamp.0, stamp.1, stamp.2) && sent.3 >= size
-        };
+    fn send(&mut self, subject: &Subject, request: &Request, light: &Light, size: usize) {
+        let card = subject.0;
+        let stamp = (subject.clone(), request.lighting, request.exposure.to_bits(), size);
+        let is_there = |sent: &Sent| (&sent.0, sent.1, sent.2) == (&stamp.0, stamp.1, stamp.2) && sent.3 >= size;
         if self.sent.get(&card).is_some_and(is_there) {
             return;
         }
-        match self.image(shown, request.lighting, size) {
-            Ok(image) => {
-                self.office.say(Answer::Picture(card, Picture::of(&exposed(&image, request.exposure))));
+        let plates = self.office.plates.clone();
+        let picture = self
+            .image(subject, request.lighting, light, size)
+            .map(|image| Picture::of(image, request.exposure, &plates));
+        match picture {
+            Ok(picture) => {
+                self.office.say(Answer::Picture(card, picture));
                 self.sent.insert(card, stamp);
             }
             Err(why) => {
@@ -173,22 +207,25 @@ impl Studio {
         }
     }
 
-    fn compare(&mut self, spheres: &[Shown], mix: &Shown, request: &Request) {
-        let images: Result<Vec<_>, _> =
-            spheres.iter().chain([mix]).map(|shown| self.image(shown, request.lighting, METRIC_SIZE)).collect();
-        // A sphere that fails has said so when it was sent.
-        let Ok(images) = images else { return };
-        let seen: Vec<Seen> = images.par_iter().map(|image| Seen::new(exposed(image, request.exposure))).collect();
+    fn compare(&mut self, spheres: &[Subject], request: &Request, light: &Light) {
+        let mix = (MIX, request.ends.clone(), request.t.to_bits());
+        let mut images = Vec::new();
+        for subject in spheres.iter().chain([&mix]) {
+            // A sphere that fails has said so when it was sent.
+            let Ok(image) = self.image(subject, request.lighting, light, METRIC_SIZE) else { return };
+            images.push(exposed(image, request.exposure));
+        }
+        let seen: Vec<Seen> = images.into_par_iter().map(Seen::new).collect();
         let [ends @ .., mix] = seen.as_slice() else { return };
-        let covered = self.sphere(request.lighting, METRIC_SIZE);
-        for (shown, picture) in spheres.iter().zip(&seen) {
+        let covered = self.sphere(request.lighting, light, METRIC_SIZE);
+        for (subject, picture) in spheres.iter().zip(&seen) {
             let figures = picture.compare(mix, [&ends[0], &ends[1]], covered.covered());
-            self.office.say(Answer::Figures(shown.subject.0, figures));
+            self.office.say(Answer::Figures(subject.0, Some(figures)));
         }
     }
 
     /// Renders film strips that changed; whether it came to the end.
-    fn roll(&mut self, request: &Request) -> bool {
+    fn roll(&mut self, request: &Request, light: &Light) -> bool {
         for &method in request.methods.iter().filter(|_| request.strip > 0) {
             let card = Card::Method(method);
             let stamp = (request.ends.clone(), request.lighting, request.exposure.to_bits(), request.strip);
@@ -196,56 +233,58 @@ impl Studio {
                 continue;
             }
             let Some(Prepared::Ready(path)) = self.office.paths.get(&(request.ends.clone(), method)) else { continue };
-            let sphere = self.sphere(request.lighting, request.strip);
+            let sphere = self.sphere(request.lighting, light, request.strip);
             for step in 0..STRIP_STEPS {
                 if self.office.requests.has_news() {
                     return false;
                 }
                 let t = step as f32 / (STRIP_STEPS - 1) as f32;
-                let Ok(brdf) = point(path.as_ref(), t) else { continue };
-                let Ok(image) = guarded("Rendering", || sphere.render(brdf.as_ref())) else { continue };
-                self.office.say(Answer::Frame(card, step, Picture::of(&exposed(&image, request.exposure))));
+                let render = || path.at(&Weights::two(t)).map(|brdf| sphere.render(brdf.as_ref()));
+                let Ok(Ok(image)) = guarded("Rendering", render) else { continue };
+                let picture = Picture::of(&image, request.exposure, &self.office.plates);
+                self.office.say(Answer::Frame(card, step, picture));
             }
             self.strips.insert(card, stamp);
         }
         true
     }
 
-    /// The linear picture; at most one of each size is kept per card.
-    fn image(&mut self, shown: &Shown, lighting: Lighting, size: usize) -> Result<Arc<Image>, String> {
-        let place = (shown.subject.0, size);
-        if let Some((subject, light, image)) = self.images.get(&place)
-            && (subject, *light) == (&shown.subject, lighting)
-        {
-            return Ok(Arc::clone(image));
+    /// The linear picture; at most one of each size is kept per card, and rendered over.
+    fn image(&mut self, subject: &Subject, lighting: Lighting, light: &Light, size: usize) -> Result<&Image, String> {
+        let place = (subject.0, size);
+        let sphere = self.sphere(lighting, light, size);
+        self.films.retain(|(card, other), _| *card != place.0 || *other == METRIC_SIZE || *other == size);
+        let Self { films, points, pace, .. } = self;
+        let point = points.get(&subject.0).ok_or("there is no such material")?;
+        let film = films.entry(place).or_insert_with(|| Film {
+            subject: (subject.0, Default::default(), 0),
+            lighting,
+            image: Image::black(size, size),
+        });
+        if (&film.subject, film.lighting) != (subject, lighting) {
+            let start = Instant::now();
+            // A picture that is not finished is none of anything.
+            film.subject.1 = Default::default();
+            guarded("Rendering", || sphere.render_into(point.as_ref(), &mut film.image))?;
+            let work = size * size * light.lamps.len();
+            *pace = 0.8 * *pace + 0.2 * start.elapsed().as_secs_f64() / work as f64;
+            (film.subject, film.lighting) = (subject.clone(), lighting);
         }
-        let sphere = self.sphere(lighting, size);
-        let start = Instant::now();
-        let image = Arc::new(guarded("Rendering", || sphere.render(shown.brdf.as_ref()))?);
-        let work = size * size * sphere.light().lamps.len();
-        self.pace = 0.8 * self.pace + 0.2 * start.elapsed().as_secs_f64() / work as f64;
-        self.images.retain(|(card, other), _| *card != place.0 || *other == METRIC_SIZE || *other == size);
-        self.images.insert(place, (shown.subject.clone(), lighting, Arc::clone(&image)));
-        Ok(image)
+        Ok(&film.image)
     }
 
     /// The geometry; one light is kept for each of a few sizes.
-    fn sphere(&mut self, lighting: Lighting, size: usize) -> Arc<Sphere> {
-        if let Some((light, sphere)) = self.spheres.get(&size)
-            && *light == lighting
+    fn sphere(&mut self, lighting: Lighting, light: &Light, size: usize) -> Arc<Sphere> {
+        if let Some((known, sphere)) = self.spheres.get(&size)
+            && *known == lighting
         {
             return Arc::clone(sphere);
         }
         if self.spheres.len() >= 4 {
             self.spheres.clear();
         }
-        let sphere = Arc::new(Sphere::new(size, &lighting.light()));
+        let sphere = Arc::new(Sphere::new(size, light));
         self.spheres.insert(size, (lighting, Arc::clone(&sphere)));
         sphere
     }
-}
-
-fn point(path: &dyn Path, t: f32) -> Result<Arc<dyn Brdf>, String> {
-    let point = guarded("The path", || path.at(&Weights::two(t)))?;
-    point.map(Arc::from).map_err(|error| error.to_string())
 }

@@ -1,0 +1,89 @@
+//! Spheres under an environment map: grainy at once, smooth when left alone.
+
+use std::collections::HashMap;
+
+use nbrdf_core::render::{METRIC_SIZE, Progressive};
+use nbrdf_core::sampler::lobe::Lobe;
+
+use super::picture::Picture;
+use super::spheres::{QUIET, Studio};
+use super::{Answer, Card, Lighting, Request, guarded};
+
+/// Samples per pixel of a picture that is not left alone.
+const AT_ONCE: u32 = 4;
+/// Samples per pixel of a finished picture.
+const FINISHED: u32 = 256;
+
+/// Fitted lobes by material.
+pub(super) type Lobes = HashMap<String, Lobe>;
+
+impl Studio {
+    /// Renders the cards, better and better; whether it came to the end.
+    pub(super) fn surround(&mut self, cards: &[Card], request: &Request) -> bool {
+        let Lighting::Around { map, turn } = request.lighting else { return true };
+        let environment = self.office.map(map).rotated(f64::from(turn));
+        let lobes: Vec<Lobe> = cards.iter().map(|card| self.lobe(*card, request)).collect();
+        for card in cards {
+            self.office.say(Answer::Figures(*card, None));
+        }
+        for (size, samples) in [(METRIC_SIZE.min(request.size), AT_ONCE), (request.size, FINISHED)] {
+            let picture = |(card, lobe): (&Card, &Lobe)| (*card, *lobe, Progressive::new(size, environment.clone(), 0));
+            let mut pictures: Vec<_> = cards.iter().zip(&lobes).map(picture).collect();
+            for pass in 1..=samples {
+                // A fine picture appears when it is no grainier than the coarse one.
+                let is_due = pass == samples || (pass.is_power_of_two() && (pass >= AT_ONCE || size < request.size));
+                let mut index = 0;
+                while let Some((card, lobe, picture)) = pictures.get_mut(index) {
+                    if self.office.requests.has_news() {
+                        return false;
+                    }
+                    if !self.expose(*card, lobe, picture, request) {
+                        pictures.remove(index);
+                        continue;
+                    }
+                    if is_due {
+                        let shown = Picture::of(&picture.image(), request.exposure, &self.office.plates);
+                        self.office.say(Answer::Picture(*card, shown));
+                    }
+                    index += 1;
+                }
+            }
+            if !self.office.requests.stays_quiet(QUIET) {
+                return false;
+            }
+        }
+        true
+    }
+
+    /// One more pass; false where the material fails.
+    fn expose(&mut self, card: Card, lobe: &Lobe, picture: &mut Progressive, request: &Request) -> bool {
+        let Some(point) = self.point(card) else { return false };
+        let Err(why) = guarded("Rendering", || picture.pass(point, lobe)) else { return true };
+        self.withdraw(card, Answer::Failed(card, why.clone()));
+        self.tell(&request.ends, why);
+        false
+    }
+
+    /// The lobe to draw lights from: fitted to the ends once, mixed in between. A lobe that does not fit costs samples,
+    /// never truth.
+    fn lobe(&mut self, card: Card, request: &Request) -> Lobe {
+        let ends = [Card::A, Card::B].map(|end| self.fitted(end, request).coordinates());
+        let t = match card {
+            Card::A => 0.0,
+            Card::B => 1.0,
+            Card::Method(_) => f64::from(request.t),
+        };
+        Lobe::from_coordinates([0, 1].map(|i| ends[0][i] + t * (ends[1][i] - ends[0][i])))
+    }
+
+    fn fitted(&mut self, end: Card, request: &Request) -> Lobe {
+        let name = &request.ends[usize::from(end == Card::B)];
+        if let Some(known) = self.lobes.get(name) {
+            return *known;
+        }
+        let fit = |point| guarded("The lobe", || Lobe::fit(point)).unwrap_or(Lobe::COSINE);
+        let lobe = self.point(end).map_or(Lobe::COSINE, fit);
+        self.lobes.insert(name.clone(), lobe);
+        lobe
+    }
+}

@@ -1,0 +1,32 @@
+#!/usr/bin/env bash
+# Every report behind docs/results.md, in target/reports, and the pictures made of them; half an hour on two cores.
+# Nothing else should run meanwhile: some figures are times.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+export NBRDF_DATA="${NBRDF_DATA:-$PWD/../shared/data}"
+out=target/reports
+mkdir -p "$out"
+cargo build --release
+nbrdf=target/release/nbrdf
+
+python=.venv/bin/python
+[ -x "$python" ] || { echo "missing: .venv — scripts/check.sh makes it" >&2; exit 1; }
+"$nbrdf" speed --json > "$out/speed.json"
+"$python" scripts/bench_fit.py > "$out/fit.json"
+cargo bench -p autoencoder -- "training step"
+scripts/count_instructions.sh > "$out/instructions.json"
+
+# The built-in checkpoint's training again, timed.
+start=$(date +%s.%N)
+steps=$("$nbrdf" train --library "$NBRDF_DATA/merl_nbrdf.zip" --seed 0 -o "$out/znbrdf.safetensors" --json --quiet |
+    "$python" -c 'import json, sys; print(json.load(sys.stdin)["options"]["steps"])')
+"$python" -c "print('{\"schema\": 1, \"steps\": $steps, \"seconds\": %.1f}' % ($(date +%s.%N) - $start))" > "$out/training.json"
+
+"$nbrdf" sampling -o docs/images/sampling.svg --json > "$out/sampling.json"
+for sampler in cosine lobe; do
+    "$nbrdf" render chrome --environment softboxes --samples 16 --size 256 --sampler "$sampler" --quiet \
+        -o "docs/images/chrome-$sampler.png"
+done
+"$nbrdf" evaluate --json > "$out/evaluate.json"
+"$nbrdf" compare --json > "$out/compare.json"
+echo "now: python3 scripts/make_results.py $out"
