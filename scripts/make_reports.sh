@@ -16,6 +16,11 @@ python=.venv/bin/python
 cargo bench -p autoencoder -- "training step"
 scripts/count_instructions.sh > "$out/instructions.json"
 
+cargo test --release -p nbrdf-core --test golden_networks published -- --nocapture |
+    sed -n 's/^\(.*\): median network \([0-9.e-]*\), worst \([0-9.e-]*\).*/{"name": "\1", "median": \2, "worst": \3}/p' |
+    "$python" -c 'import json, sys; print(json.dumps({"schema": 1, "rows": [json.loads(line) for line in sys.stdin]}))' \
+    > "$out/accuracy.json"
+
 # The built-in checkpoint's training again, timed.
 start=$(date +%s.%N)
 steps=$("$nbrdf" train --library "$NBRDF_DATA/merl_nbrdf.zip" --seed 0 -o "$out/znbrdf.safetensors" --json --quiet |

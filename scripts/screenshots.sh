@@ -13,10 +13,11 @@ nbrdf="${CARGO_TARGET_DIR:-target}/release/nbrdf"
 mkdir -p docs/images
 "$nbrdf" blend gold-paint blue-acrylic --steps 7 --method latent --method raw_weights --method pca_tables \
     -o docs/images/path.png
-shoot() { # NAME SIZE THEME
-    xvfb-run -a -s "-screen 0 1920x1200x24" "$nbrdf" app --size "$2" --theme "$3" --screenshot "docs/images/$1.png"
+shoot() { # NAME SIZE THEME [MORE...]
+    xvfb-run -a -s "-screen 0 1920x1200x24" "$nbrdf" app --size "$2" --theme "$3" --screenshot "docs/images/$1.png" "${@:4}"
 }
 for theme in dark light; do
     shoot "app-$theme" 1600x900 "$theme"
     shoot "app-small-$theme" 900x600 "$theme"
 done
+shoot app-softboxes 1600x900 dark --a chrome --b brass --light softboxes

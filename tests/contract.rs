@@ -72,6 +72,48 @@ fn decoded_codes_are_reflectances_and_networks_agree_with_them() {
 }
 
 #[test]
+fn decoding_in_place_is_decoding_and_refuses_the_same_numbers() {
+    let at = some_directions();
+    for (name, representation) in representations() {
+        let mut place = representation.decode(&representation.code(vec![0.0; representation.dim()])).unwrap();
+        let code = representation.encode(&material("blue-fabric")).unwrap();
+        representation.decode_into(&code.code, &mut place).unwrap();
+        let decoded = representation.decode(&code).unwrap();
+        assert_eq!(evaluate(place.as_ref(), &at), evaluate(decoded.as_ref(), &at), "{name}");
+        let wrong = [vec![0.0; representation.dim() + 1], vec![f32::NAN; representation.dim()]];
+        for numbers in &wrong {
+            assert!(representation.decode_into(numbers, &mut place).is_err(), "{name}");
+        }
+        assert_eq!(evaluate(place.as_ref(), &at), evaluate(decoded.as_ref(), &at), "{name}: as it was");
+    }
+}
+
+#[test]
+fn derivatives_by_the_code_are_those_of_small_changes() {
+    for (name, representation) in representations() {
+        let code = representation.encode(&material("gold-paint")).unwrap();
+        let Some(linearized) = representation.linearize(&code.code).unwrap() else { continue };
+        let weights = |numbers: Vec<f32>| {
+            let network = representation.network(&representation.code(numbers)).unwrap().unwrap();
+            network.into_weights()
+        };
+        assert_eq!(linearized.weights, weights(code.code.clone()), "{name}");
+        for (number, row) in linearized.rows().enumerate().step_by(7) {
+            let [above, below] = [1e-2, -1e-2].map(|by| {
+                let mut numbers = code.code.clone();
+                numbers[number] += by;
+                weights(numbers)
+            });
+            let largest = row.iter().fold(1e-3f32, |largest, d| largest.max(d.abs()));
+            for ((above, below), own) in above.iter().zip(&below).zip(row) {
+                let slope = (above - below) / 2e-2;
+                assert!((slope - own).abs() < 0.02 * largest, "{name}, number {number}: {own} {slope}");
+            }
+        }
+    }
+}
+
+#[test]
 fn codes_that_belong_elsewhere_are_refused() {
     for (name, representation) in representations() {
         let code = representation.code(vec![0.0; representation.dim()]);
@@ -119,9 +161,14 @@ fn every_point_of_a_path_is_a_reflectance_also_beyond_the_ends() {
     for entry in INTERPOLATIONS {
         let interpolation = entry.build(catalog()).unwrap();
         let path = interpolation.between(&ends).unwrap();
+        let mut moved = path.at(&Weights::normalized(vec![1.0, 0.0, 0.0]).unwrap()).unwrap();
         for weights in [[1.0, 1.0, 1.0], [0.2, 0.3, 0.5], [1.3, -0.3, 0.0]] {
             let weights = Weights::normalized(weights.to_vec()).unwrap();
-            assert_is_a_reflectance(entry.name, path.at(&weights).unwrap().as_ref());
+            let point = path.at(&weights).unwrap();
+            assert_is_a_reflectance(entry.name, point.as_ref());
+            path.move_to(&weights, &mut moved).unwrap();
+            let at = some_directions();
+            assert_eq!(evaluate(moved.as_ref(), &at), evaluate(point.as_ref(), &at), "{}: moved in place", entry.name);
         }
         assert_eq!(interpolation.name(), entry.name);
     }

@@ -31,9 +31,9 @@ pub const REPEATS: usize = 31;
 /// Floating point operations of a whole published network: a multiplication and an addition per weight.
 pub const NETWORK_FLOP: f64 = 1350.0;
 
-/// From what a model is asked to evaluate.
+/// What a model is given to evaluate.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum From {
+pub enum Given {
     /// Pairs (ω_i, ω_o).
     Directions,
     /// Pairs whose half and difference vectors are known.
@@ -73,25 +73,25 @@ impl Track {
     }
 
     /// One batch \[s\].
-    pub fn run(&self, brdf: &dyn Brdf, from: From, out: &mut [Rgb]) -> f64 {
+    pub fn run(&self, brdf: &dyn Brdf, given: Given, out: &mut [Rgb]) -> f64 {
         let start = Instant::now();
-        match from {
-            From::Directions => brdf.eval_into(black_box(self.at.directions()), out),
-            From::Prepared => brdf.eval_prepared(black_box(&self.at), out),
+        match given {
+            Given::Directions => brdf.eval_into(black_box(self.at.directions()), out),
+            Given::Prepared => brdf.eval_prepared(black_box(&self.at), out),
         }
         black_box(&out);
         start.elapsed().as_secs_f64()
     }
 
     /// The cost of every model, beside the reference loop; `repeats` runs each, in turns, after one that is not counted.
-    pub fn measure(&self, models: &[(&dyn Brdf, From)], repeats: usize) -> Vec<Cost> {
+    pub fn measure(&self, models: &[(&dyn Brdf, Given)], repeats: usize) -> Vec<Cost> {
         let reference = ReferenceLoop::new(&random_network(0, 0));
         let mut out = vec![Rgb::BLACK; BATCH];
         let mut times = vec![Vec::with_capacity(repeats); models.len() + 1];
         for repeat in 0..=repeats {
-            let all = std::iter::once((&reference as &dyn Brdf, From::Directions)).chain(models.iter().copied());
-            for ((brdf, from), times) in all.zip(&mut times) {
-                let time = self.run(brdf, from, &mut out);
+            let all = std::iter::once((&reference as &dyn Brdf, Given::Directions)).chain(models.iter().copied());
+            for ((brdf, given), times) in all.zip(&mut times) {
+                let time = self.run(brdf, given, &mut out);
                 if repeat > 0 {
                     times.push(time);
                 }
@@ -141,7 +141,7 @@ mod tests {
     fn every_model_gets_a_cost() {
         let reference = ReferenceLoop::new(&random_network(0, 0));
         let grey = Lambert { albedo: Rgb::splat(0.5) };
-        let models: [(&dyn Brdf, From); 2] = [(&reference, From::Directions), (&grey, From::Prepared)];
+        let models: [(&dyn Brdf, Given); 2] = [(&reference, Given::Directions), (&grey, Given::Prepared)];
         let costs = Track::new(0).measure(&models, 2);
         assert_eq!(costs.len(), 2);
         assert!(costs.iter().all(|cost| cost.ns > 0.0 && cost.ratio_to_reference_loop > 0.0));

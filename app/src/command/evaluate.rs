@@ -7,7 +7,7 @@ use std::time::Instant;
 
 use anyhow::{Result, bail};
 use clap::Args;
-use nbrdf_core::cost::{From, REPEATS, Track};
+use nbrdf_core::cost::{Given, REPEATS, Track};
 use nbrdf_core::metric::Spread;
 use nbrdf_core::{Code, Database, Material, Split};
 use rayon::prelude::*;
@@ -94,7 +94,7 @@ impl Evaluate {
                 };
                 let measured = materials.par_iter().zip(&targets).zip(&codes).map(one).collect::<Result<Vec<_>>>()?;
                 let decoded = codes.first().map(|(code, _)| representation.decode(code)).transpose()?;
-                let cost = decoded.map(|brdf| track.measure(&[(brdf.as_ref(), From::Directions)], REPEATS)[0]);
+                let cost = decoded.map(|brdf| track.measure(&[(brdf.as_ref(), Given::Directions)], REPEATS)[0]);
                 let mut row = self.row(entry, *database, &measured);
                 row["bytes"] = (size_of::<f32>() * representation.dim()).into();
                 row["shared_bytes"] = representation.shared_bytes().into();

@@ -72,13 +72,13 @@ fn pruned(savings: &[Saving]) -> Value {
 }
 
 fn text(summary: &Value, rows: &[Evaluation]) -> String {
-    let head = ["model", "from", "ns", "x reference_loop", "of peak", "bytes"];
+    let head = ["model", "given", "ns", "x reference_loop", "of peak", "bytes"];
     let mut table = Table::new(head.map(str::to_owned).to_vec());
     for row in rows {
         let efficiency = row.efficiency.map_or_else(|| "-".to_owned(), |share| format!("{:.0} %", 100.0 * share));
         let ratio = report::figure(row.cost.ratio_to_reference_loop);
         let ns = report::figure(row.cost.ns);
-        table.push(vec![row.name.clone(), row.from.to_owned(), ns, ratio, efficiency, row.bytes.to_string()]);
+        table.push(vec![row.name.clone(), row.given.to_owned(), ns, ratio, efficiency, row.bytes.to_string()]);
     }
     let number = |path: &str| summary.pointer(path).and_then(Value::as_f64).unwrap_or(f64::NAN);
     let peaks: Vec<String> = summary["peaks"]

@@ -4,14 +4,16 @@ use std::path::PathBuf;
 
 use anyhow::{Result, anyhow};
 use clap::{Args, ValueEnum};
+use nbrdf_core::Vec3;
 use nbrdf_core::library::builtin;
 
 use super::{Session, window};
+use crate::worker::Lighting;
 
 /// The desktop app: walk between two materials and watch.
 #[derive(Debug, Clone, Default, Args)]
 pub struct App {
-    /// Libraries, archives or networks to show beside the built-in materials.
+    /// Libraries, archives or networks to show beside the built-in materials, and environment maps (.hdr, .exr).
     pub files: Vec<PathBuf>,
     /// Material at t = 0.
     #[arg(long, short, value_name = "MATERIAL")]
@@ -22,6 +24,9 @@ pub struct App {
     /// Where on the path to start, 0..1.
     #[arg(long, value_name = "T")]
     pub t: Option<f32>,
+    /// Light to start with.
+    #[arg(long, value_enum)]
+    pub light: Option<Light>,
     /// Colours of the window; those of the system by default.
     #[arg(long, value_enum)]
     pub theme: Option<Theme>,
@@ -31,6 +36,27 @@ pub struct App {
     /// Write a picture of the window once everything is shown, and leave.
     #[arg(long, value_name = "FILE", hide = true)]
     pub screenshot: Option<PathBuf>,
+}
+
+/// Where the light comes from.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum Light {
+    /// Eleven lamps, as in reports.
+    Studio,
+    /// One lamp at 45°.
+    Point,
+    /// A room with soft boxes all around.
+    Softboxes,
+}
+
+impl Light {
+    fn lighting(self) -> Lighting {
+        match self {
+            Self::Studio => Lighting::Studio,
+            Self::Point => Lighting::Point(Vec3::new(1.0, 0.0, 1.0).normalize()),
+            Self::Softboxes => Lighting::Around { map: 0, turn: 0.0 },
+        }
+    }
 }
 
 /// Colours of the window.
@@ -57,6 +83,7 @@ impl App {
 
     fn session(&self) -> Result<Session> {
         let mut session = Session::default();
+        session.lighting = self.light.map_or(session.lighting, Light::lighting);
         for (end, name) in session.ends.iter_mut().zip([&self.a, &self.b]) {
             if let Some(name) = name {
                 *end = builtin::shared().get(name)?.name.clone();

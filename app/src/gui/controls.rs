@@ -92,7 +92,7 @@ fn light(ui: &mut Ui, session: &mut Session, maps: &[String]) {
     let about = "All around, sample after sample; drag on a sphere to turn it. Drop .hdr and .exr maps on the window";
     choices
         .extend(maps.iter().enumerate().map(|(map, name)| (name.as_str(), about, Lighting::Around { map, turn: 0.0 })));
-    let combo = ComboBox::from_id_salt("light").selected_text(name).width(104.0).show_ui(ui, |ui| {
+    let combo = ComboBox::from_id_salt("light").selected_text(name).width(96.0).show_ui(ui, |ui| {
         for (own, about, lighting) in choices {
             if ui.selectable_label(own == name, own).on_hover_text(about).clicked() && own != name {
                 session.lighting = lighting;
@@ -112,7 +112,7 @@ fn direction(ui: &mut Ui, session: &mut Session) {
         return;
     }
     let Lighting::Point(direction) = session.lighting else {
-        ui.add(Label::new(RichText::new("drag a sphere to place a lamp").weak()).truncate());
+        ui.add(Label::new(RichText::new("drag a sphere to light it").weak()).truncate());
         return;
     };
     let degrees = |radians: f32| radians.to_degrees().round();

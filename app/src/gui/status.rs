@@ -8,13 +8,16 @@ use super::Gallery;
 pub struct Status<'a> {
     pub gallery: &'a Gallery,
     pub is_settled: bool,
+    /// Whether light comes from all around, which is too grainy for figures.
+    pub is_around: bool,
 }
 
 impl Status<'_> {
     pub fn show(self, ui: &mut Ui) {
-        let Self { gallery, is_settled } = self;
+        let Self { gallery, is_settled, is_around } = self;
         let text = match gallery.preparing {
             Some(title) => format!("{title}: preparing the path, learning its basis where it has one"),
+            None if !is_settled && is_around => "Rendering, sample after sample".to_owned(),
             None if !is_settled => "Rendering".to_owned(),
             None => "Ready".to_owned(),
         };
@@ -26,7 +29,11 @@ impl Status<'_> {
             }
             ui.label(RichText::new(text).small().weak());
             ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
-                ui.label(RichText::new("figures: against the exact linear mix of A and B").small().weak());
+                let about = match is_around {
+                    true => "figures: under the lights Studio and Point",
+                    false => "figures: against the exact linear mix of A and B",
+                };
+                ui.label(RichText::new(about).small().weak());
             });
         });
     }

@@ -90,11 +90,12 @@ impl Workbench {
         let fill = ui.visuals().panel_fill;
         let frame = |x: i8, y: i8| Frame::new().fill(fill).inner_margin(Margin::symmetric(x, y));
         let narrow = ui.available_width() < 1100.0;
+        let is_around = matches!(session.lighting, Lighting::Around { .. });
         Panel::top("header").exact_size(44.0).frame(frame(14, 0)).show(ui, |ui| Header { session }.show(ui));
         Panel::bottom("status")
             .exact_size(24.0)
             .frame(frame(14, 0))
-            .show(ui, |ui| Status { gallery, is_settled }.show(ui));
+            .show(ui, |ui| Status { gallery, is_settled, is_around }.show(ui));
         Panel::left("shelf")
             .exact_size(if narrow { 228.0 } else { 264.0 })
             .resizable(false)

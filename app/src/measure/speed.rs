@@ -6,7 +6,7 @@ use anyhow::Result;
 use nbrdf_core::brdf::ggx::Ggx;
 use nbrdf_core::brdf::lambert::Lambert;
 use nbrdf_core::brdf::table::{Lookup, Table};
-use nbrdf_core::cost::{Cost, FixedArrays, From, NETWORK_FLOP, Track, WithSet, peak_fma, seconds};
+use nbrdf_core::cost::{Cost, FixedArrays, Given, NETWORK_FLOP, Track, WithSet, peak_fma, seconds};
 use nbrdf_core::nbrdf::fit::{FitOptions, fit, random_network};
 use nbrdf_core::render::{Light, Sphere};
 use nbrdf_core::representation::refined::Refined;
@@ -20,8 +20,8 @@ use serde::Serialize;
 pub struct Evaluation {
     /// Name of the model.
     pub name: String,
-    /// `directions`: conversion included; `prepared`: half and difference vectors given.
-    pub from: &'static str,
+    /// `directions`: conversion included; `prepared`: half and difference vectors known.
+    pub given: &'static str,
     /// Nanoseconds, and how many times the reference loop takes as long.
     #[serde(flatten)]
     pub cost: Cost,
@@ -49,7 +49,7 @@ pub struct Saving {
 /// A model to be timed.
 struct Contestant {
     name: String,
-    from: From,
+    given: Given,
     /// The limit of its instruction set \[GFLOP/s\], for whole networks in vectors.
     peak: Option<f64>,
     bytes: usize,
@@ -60,18 +60,18 @@ struct Contestant {
 pub fn evaluation(material: &Material, network: &Nbrdf, repeats: usize) -> Vec<Evaluation> {
     let weights = size_of_val(network.weights());
     let contestants: Vec<Contestant> = networks(network, weights).into_iter().chain(others(material)).collect();
-    let models: Vec<(&dyn Brdf, From)> = contestants.iter().map(|own| (own.brdf.as_ref(), own.from)).collect();
+    let models: Vec<(&dyn Brdf, Given)> = contestants.iter().map(|own| (own.brdf.as_ref(), own.given)).collect();
     let costs = Track::new(0).measure(&models, repeats);
     let reference = costs.first().map(|cost| Evaluation {
         name: "reference_loop".to_owned(),
-        from: name(From::Directions),
+        given: name(Given::Directions),
         cost: Cost { ns: cost.ns * cost.ratio_to_reference_loop, ratio_to_reference_loop: 1.0 },
         efficiency: None,
         bytes: weights,
     });
     let row = |(own, cost): (Contestant, Cost)| Evaluation {
         efficiency: own.peak.map(|peak| NETWORK_FLOP / cost.ns / peak),
-        from: name(own.from),
+        given: name(own.given),
         name: own.name,
         cost,
         bytes: own.bytes,
@@ -79,10 +79,10 @@ pub fn evaluation(material: &Material, network: &Nbrdf, repeats: usize) -> Vec<E
     reference.into_iter().chain(contestants.into_iter().zip(costs).map(row)).collect()
 }
 
-const fn name(from: From) -> &'static str {
-    match from {
-        From::Directions => "directions",
-        From::Prepared => "prepared",
+const fn name(given: Given) -> &'static str {
+    match given {
+        Given::Directions => "directions",
+        Given::Prepared => "prepared",
     }
 }
 
@@ -91,17 +91,23 @@ fn networks(network: &Nbrdf, bytes: usize) -> Vec<Contestant> {
     let mut all = Vec::new();
     if let Some(arrays) = FixedArrays::new(network) {
         let name = "fixed_arrays".to_owned();
-        all.push(Contestant { name, from: From::Directions, peak: None, bytes, brdf: Box::new(arrays) });
+        all.push(Contestant { name, given: Given::Directions, peak: None, bytes, brdf: Box::new(arrays) });
     }
-    for from in [From::Directions, From::Prepared] {
+    for given in [Given::Directions, Given::Prepared] {
         for set in InstructionSet::available() {
             let name = format!("nbrdf_{}", set.name());
             let peak = set.is_vector().then(|| peak_fma(set));
-            all.push(Contestant { name, from, peak, bytes, brdf: Box::new(WithSet { network: network.clone(), set }) });
+            all.push(Contestant {
+                name,
+                given,
+                peak,
+                bytes,
+                brdf: Box::new(WithSet { network: network.clone(), set }),
+            });
         }
         let pruned = network.pruned();
         let bytes = size_of::<f32>() * pruned.evaluated().weights();
-        all.push(Contestant { name: "nbrdf_pruned".to_owned(), from, peak: None, bytes, brdf: Box::new(pruned) });
+        all.push(Contestant { name: "nbrdf_pruned".to_owned(), given, peak: None, bytes, brdf: Box::new(pruned) });
     }
     all
 }
@@ -113,8 +119,13 @@ fn others(material: &Material) -> [Contestant; 4] {
     let (bytes, trilinear) = (nearest.bytes(), nearest.clone().with_lookup(Lookup::Trilinear));
     let lambert = Lambert { albedo: grey };
     let ggx = Ggx { diffuse: grey, f0: Rgb::splat(0.04), alpha: 0.2 };
-    let of =
-        |name: &str, bytes, brdf| Contestant { name: name.to_owned(), from: From::Directions, peak: None, bytes, brdf };
+    let of = |name: &str, bytes, brdf| Contestant {
+        name: name.to_owned(),
+        given: Given::Directions,
+        peak: None,
+        bytes,
+        brdf,
+    };
     [
         of("lambert", size_of_val(&lambert), Box::new(lambert)),
         of("ggx", size_of_val(&ggx), Box::new(ggx)),
@@ -131,7 +142,7 @@ pub fn pruning(materials: &[Material], repeats: usize, done: &dyn Fn()) -> Vec<S
     let track = Track::new(0);
     let one = |((name, whole), pruned): (&(&str, &Nbrdf), &Nbrdf)| {
         let whole: &dyn Brdf = *whole;
-        let forms = [From::Directions, From::Prepared].map(|from| [(whole, from), (pruned as &dyn Brdf, from)]);
+        let forms = [Given::Directions, Given::Prepared].map(|given| [(whole, given), (pruned as &dyn Brdf, given)]);
         let costs = track.measure(forms.as_flattened(), repeats);
         let live = pruned.evaluated();
         done();

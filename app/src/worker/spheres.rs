@@ -26,6 +26,9 @@ type Subject = (Card, [String; 2], u32);
 /// What a picture in the window shows: subject, light, exposure, size.
 type Sent = (Subject, Lighting, u32, usize);
 
+/// What a film strip in the window shows: ends, light, exposure, size.
+pub(super) type Strip = ([String; 2], Lighting, u32, usize);
+
 /// A picture that is rendered over and over.
 struct Film {
     subject: Subject,
@@ -41,7 +44,7 @@ pub(super) struct Studio {
     points: HashMap<Card, Box<dyn Brdf>>,
     films: HashMap<(Card, usize), Film>,
     sent: HashMap<Card, Sent>,
-    strips: HashMap<Card, ([String; 2], Lighting, u32, usize)>,
+    strips: HashMap<Card, Strip>,
     /// What the user was told about these ends; nobody wants to dismiss it twice.
     told: ([String; 2], HashSet<String>),
     /// Running mean of seconds per pixel and lamp.
@@ -82,7 +85,6 @@ impl Studio {
         let Some(light) = request.lighting.lamps() else {
             // Lamps start anew afterwards.
             self.sent.clear();
-            self.strips.clear();
             return self.surround(&spheres.iter().map(|subject| subject.0).collect::<Vec<_>>(), request) && !pending;
         };
         let work = (spheres.len() * request.size * request.size * light.lamps.len()) as f64;
@@ -228,11 +230,7 @@ impl Studio {
     fn roll(&mut self, request: &Request, light: &Light) -> bool {
         for &method in request.methods.iter().filter(|_| request.strip > 0) {
             let card = Card::Method(method);
-            let stamp = (request.ends.clone(), request.lighting, request.exposure.to_bits(), request.strip);
-            if self.strips.get(&card) == Some(&stamp) {
-                continue;
-            }
-            let Some(Prepared::Ready(path)) = self.office.paths.get(&(request.ends.clone(), method)) else { continue };
+            let Some((path, stamp)) = self.unrolled(card, method, request) else { continue };
             let sphere = self.sphere(request.lighting, light, request.strip);
             for step in 0..STRIP_STEPS {
                 if self.office.requests.has_news() {
@@ -244,9 +242,26 @@ impl Studio {
                 let picture = Picture::of(&image, request.exposure, &self.office.plates);
                 self.office.say(Answer::Frame(card, step, picture));
             }
-            self.strips.insert(card, stamp);
+            self.rolled(card, stamp);
         }
         true
+    }
+
+    /// The path of a strip that the window does not have, if there is one by now, and what it will show.
+    pub(super) fn unrolled(
+        &self,
+        card: Card,
+        method: &'static str,
+        request: &Request,
+    ) -> Option<(Arc<dyn Path>, Strip)> {
+        let stamp = (request.ends.clone(), request.lighting, request.exposure.to_bits(), request.strip);
+        let Some(Prepared::Ready(path)) = self.office.paths.get(&(request.ends.clone(), method)) else { return None };
+        (self.strips.get(&card) != Some(&stamp)).then_some((path, stamp))
+    }
+
+    /// The window has this strip now.
+    pub(super) fn rolled(&mut self, card: Card, stamp: Strip) {
+        self.strips.insert(card, stamp);
     }
 
     /// The linear picture; at most one of each size is kept per card, and rendered over.

@@ -2,15 +2,18 @@
 
 use std::collections::HashMap;
 
-use nbrdf_core::render::{METRIC_SIZE, Progressive};
+use nbrdf_core::Weights;
+use nbrdf_core::render::{Environment, METRIC_SIZE, Progressive};
 use nbrdf_core::sampler::lobe::Lobe;
 
 use super::picture::Picture;
 use super::spheres::{QUIET, Studio};
-use super::{Answer, Card, Lighting, Request, guarded};
+use super::{Answer, Card, Lighting, Request, STRIP_STEPS, guarded};
 
 /// Samples per pixel of a picture that is not left alone.
 const AT_ONCE: u32 = 4;
+/// Samples per pixel after which film strips come first, and of their frames.
+const DECENT: u32 = 16;
 /// Samples per pixel of a finished picture.
 const FINISHED: u32 = 256;
 
@@ -47,10 +50,38 @@ impl Studio {
                     }
                     index += 1;
                 }
+                if pass == DECENT && !self.roll_around(request, &environment) {
+                    return false;
+                }
             }
             if !self.office.requests.stays_quiet(QUIET) {
                 return false;
             }
+        }
+        true
+    }
+
+    /// Renders film strips that changed; whether it came to the end.
+    fn roll_around(&mut self, request: &Request, environment: &Environment) -> bool {
+        for &method in request.methods.iter().filter(|_| request.strip > 0) {
+            let card = Card::Method(method);
+            let Some((path, stamp)) = self.unrolled(card, method, request) else { continue };
+            for step in 0..STRIP_STEPS {
+                let t = step as f32 / (STRIP_STEPS - 1) as f32;
+                let lobe = self.mixed_lobe(t, request);
+                let render = || {
+                    let brdf = path.at(&Weights::two(t)).ok()?;
+                    let mut picture = Progressive::new(request.strip, environment.clone(), 0);
+                    (0..DECENT).for_each(|_| picture.pass(brdf.as_ref(), &lobe));
+                    Some(picture.image())
+                };
+                if self.office.requests.has_news() {
+                    return false;
+                }
+                let Ok(Some(image)) = guarded("Rendering", render) else { continue };
+                self.office.say(Answer::Frame(card, step, Picture::of(&image, request.exposure, &self.office.plates)));
+            }
+            self.rolled(card, stamp);
         }
         true
     }
@@ -67,13 +98,15 @@ impl Studio {
     /// The lobe to draw lights from: fitted to the ends once, mixed in between. A lobe that does not fit costs samples,
     /// never truth.
     fn lobe(&mut self, card: Card, request: &Request) -> Lobe {
-        let ends = [Card::A, Card::B].map(|end| self.fitted(end, request).coordinates());
-        let t = match card {
-            Card::A => 0.0,
-            Card::B => 1.0,
-            Card::Method(_) => f64::from(request.t),
-        };
-        Lobe::from_coordinates([0, 1].map(|i| ends[0][i] + t * (ends[1][i] - ends[0][i])))
+        match card {
+            Card::A | Card::B => self.fitted(card, request),
+            Card::Method(_) => self.mixed_lobe(request.t, request),
+        }
+    }
+
+    fn mixed_lobe(&mut self, t: f32, request: &Request) -> Lobe {
+        let [a, b] = [Card::A, Card::B].map(|end| self.fitted(end, request).coordinates());
+        Lobe::from_coordinates([0, 1].map(|i| a[i] + f64::from(t) * (b[i] - a[i])))
     }
 
     fn fitted(&mut self, end: Card, request: &Request) -> Lobe {

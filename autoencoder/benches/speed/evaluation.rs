@@ -6,7 +6,7 @@ use nbrdf_core::brdf::Prepared;
 use nbrdf_core::brdf::ggx::Ggx;
 use nbrdf_core::brdf::lambert::Lambert;
 use nbrdf_core::brdf::table::{Lookup, Table};
-use nbrdf_core::cost::{BATCH, FixedArrays, From, ReferenceLoop, Track, WithSet};
+use nbrdf_core::cost::{BATCH, FixedArrays, Given, ReferenceLoop, Track, WithSet};
 use nbrdf_core::library::builtin;
 use nbrdf_core::sampling::evaluate;
 use nbrdf_core::simd::InstructionSet;
@@ -82,23 +82,23 @@ fn models(network: &Nbrdf) -> Vec<(String, Box<dyn Brdf>)> {
 
 /// A batch of pairs (ω_i, ω_o), conversion included.
 pub fn from_directions(criterion: &mut Criterion) {
-    run(criterion, "evaluate from directions", From::Directions, models(&network()));
+    run(criterion, "evaluate from directions", Given::Directions, models(&network()));
 }
 
 /// A batch of pairs whose half and difference vectors are known.
 pub fn network_alone(criterion: &mut Criterion) {
     let network = network();
     let models = models(&network).into_iter().filter(|(name, _)| name.starts_with("nbrdf"));
-    run(criterion, "evaluate the network alone", From::Prepared, models.collect());
+    run(criterion, "evaluate the network alone", Given::Prepared, models.collect());
 }
 
-fn run(criterion: &mut Criterion, title: &str, from: From, models: Vec<(String, Box<dyn Brdf>)>) {
+fn run(criterion: &mut Criterion, title: &str, given: Given, models: Vec<(String, Box<dyn Brdf>)>) {
     let track = Track::new(0);
     let mut out = vec![Rgb::BLACK; BATCH];
     let mut group = criterion.benchmark_group(title);
     group.throughput(Throughput::Elements(BATCH as u64));
     for (name, brdf) in models {
-        group.bench_function(name, |bencher| bencher.iter(|| track.run(brdf.as_ref(), from, &mut out)));
+        group.bench_function(name, |bencher| bencher.iter(|| track.run(brdf.as_ref(), given, &mut out)));
     }
 }
 

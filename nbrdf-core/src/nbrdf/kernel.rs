@@ -93,46 +93,49 @@ pub(crate) enum Sign {
     Clamped,
 }
 
-struct FromDirections<'a> {
+/// Where network inputs come from.
+#[derive(Clone, Copy)]
+enum Source<'a> {
+    /// Pairs, converted block by block.
+    Directions(&'a [Directions]),
+    /// Blocks that were converted before.
+    Blocks(&'a [Block]),
+}
+
+struct Evaluate<'a> {
     network: &'a Packed,
-    at: &'a [Directions],
+    source: Source<'a>,
     sign: Sign,
     out: &'a mut [Rgb],
     activations: &'a mut Activations,
 }
 
-impl WithSimd for FromDirections<'_> {
+impl WithSimd for Evaluate<'_> {
     type Output = ();
 
     #[inline(always)]
     fn with_simd<S: Simd>(self, simd: S) {
-        let mut block = Block::EMPTY;
-        for (at, out) in self.at.chunks(LANES).zip(self.out.chunks_mut(LANES)) {
-            block.fill(simd, at);
-            self.activations.forward(simd, self.network, &block.inputs);
-            self.activations.store(simd, block.above, self.sign, out);
+        let Self { network, source, sign, out, activations } = self;
+        let mut converted = Block::EMPTY;
+        for (index, out) in out.chunks_mut(LANES).enumerate() {
+            let block = match source {
+                Source::Blocks(blocks) => &blocks[index],
+                Source::Directions(at) => {
+                    converted.fill(simd, &at[index * LANES..][..out.len()]);
+                    &converted
+                }
+            };
+            activations.forward(simd, network, &block.inputs);
+            activations.store(simd, block.above, sign, out);
         }
     }
 }
 
-struct FromBlocks<'a> {
-    network: &'a Packed,
-    blocks: &'a [Block],
-    sign: Sign,
-    out: &'a mut [Rgb],
-    activations: &'a mut Activations,
-}
-
-impl WithSimd for FromBlocks<'_> {
-    type Output = ();
-
-    #[inline(always)]
-    fn with_simd<S: Simd>(self, simd: S) {
-        for (block, out) in self.blocks.iter().zip(self.out.chunks_mut(LANES)) {
-            self.activations.forward(simd, self.network, &block.inputs);
-            self.activations.store(simd, block.above, self.sign, out);
-        }
-    }
+fn evaluate(set: InstructionSet, network: &Packed, source: Source, sign: Sign, out: &mut [Rgb]) {
+    SCRATCH.with_borrow_mut(|activations| {
+        activations.resize(network.hidden());
+        set.run(Evaluate { network, source, sign, out, activations });
+    });
 }
 
 /// exp(y) − 1 for every pair of directions; zero below the horizon.
@@ -141,10 +144,7 @@ impl WithSimd for FromBlocks<'_> {
 /// If `at` and `out` differ in length (a bug of the caller).
 pub(crate) fn forward(set: InstructionSet, network: &Packed, sign: Sign, at: &[Directions], out: &mut [Rgb]) {
     assert_eq!(at.len(), out.len(), "one output per pair of directions");
-    SCRATCH.with_borrow_mut(|activations| {
-        activations.resize(network.hidden());
-        set.run(FromDirections { network, at, sign, out, activations });
-    });
+    evaluate(set, network, Source::Directions(at), sign, out);
 }
 
 /// As [`forward`], from blocks of prepared pairs, the last of which may not be full.
@@ -153,10 +153,7 @@ pub(crate) fn forward(set: InstructionSet, network: &Packed, sign: Sign, at: &[D
 /// If there are not as many blocks as `out` needs (a bug of the caller).
 pub(crate) fn forward_blocks(set: InstructionSet, network: &Packed, sign: Sign, blocks: &[Block], out: &mut [Rgb]) {
     assert_eq!(blocks.len(), out.len().div_ceil(LANES), "one output per pair of directions");
-    SCRATCH.with_borrow_mut(|activations| {
-        activations.resize(network.hidden());
-        set.run(FromBlocks { network, blocks, sign, out, activations });
-    });
+    evaluate(set, network, Source::Blocks(blocks), sign, out);
 }
 
 struct Prepare<'a> {

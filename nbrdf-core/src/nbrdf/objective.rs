@@ -134,11 +134,11 @@ pub fn pull_back(samples: &Samples, values: &[Rgb], own: &[f32], by_feature: &[f
     let [log, relative, display] = sections(samples);
     for i in log {
         let (f, c) = (values[i / 3][i % 3], samples.factors[i / 3]);
-        by_value[i / 3][i % 3] = by_feature[i] * c / (1.0 + f * c).max(0.1);
+        by_value[i / 3][i % 3] = by_feature[i] * log_slope(f, c);
     }
     for i in relative {
         let (f, c) = (values[i / 3][i % 3], samples.factors[i / 3]);
-        by_value[i / 3][i % 3] = if f > 0.0 { by_feature[i] * c / (f * c + DARKEST) } else { 0.0 };
+        by_value[i / 3][i % 3] = by_feature[i] * relative_slope(f, c);
     }
     let first = samples.counts.log + samples.counts.relative;
     for pixel in 0..samples.counts.pixels {
@@ -159,11 +159,11 @@ pub fn push_forward(samples: &Samples, values: &[Rgb], own: &[f32], moved: &[Rgb
     let [log, relative, display] = sections(samples);
     for i in log {
         let (f, c) = (values[i / 3][i % 3], samples.factors[i / 3]);
-        out[i] = moved[i / 3][i % 3] * c / (1.0 + f * c).max(0.1);
+        out[i] = moved[i / 3][i % 3] * log_slope(f, c);
     }
     for i in relative {
         let (f, c) = (values[i / 3][i % 3], samples.factors[i / 3]);
-        out[i] = if f > 0.0 { moved[i / 3][i % 3] * c / (f * c + DARKEST) } else { 0.0 };
+        out[i] = moved[i / 3][i % 3] * relative_slope(f, c);
     }
     let first = samples.counts.log + samples.counts.relative;
     for pixel in 0..samples.counts.pixels {
@@ -176,6 +176,16 @@ pub fn push_forward(samples: &Samples, values: &[Rgb], own: &[f32], moved: &[Rgb
             out[at + channel] = change * display_slope(radiance[channel], own[at + channel]);
         }
     }
+}
+
+/// Slope of ln(1 + f c) over f; a value far below 0 keeps one, or it could never come back.
+fn log_slope(f: f32, c: f32) -> f32 {
+    c / (1.0 + f * c).max(0.1)
+}
+
+/// Slope of ln(f c + 10⁻³) over f; none below 0, where the other terms draw it up.
+fn relative_slope(f: f32, c: f32) -> f32 {
+    if f > 0.0 { c / (f * c + DARKEST) } else { 0.0 }
 }
 
 /// Radiance of a sampled pixel: its lamps summed.
