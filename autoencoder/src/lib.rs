@@ -16,12 +16,10 @@ mod parameters;
 mod probe;
 mod product;
 mod train;
-mod trainer;
 
 pub use autoencoder::{Architecture, Autoencoder};
 pub use checkpoint::CheckpointError;
-pub use train::{Progress, TrainError, TrainOptions, TrainingData, train};
-pub use trainer::Trainer;
+pub use train::{Progress, TrainError, TrainOptions, Trainer, TrainingData, train};
 
 /// A lock that outlives a panic elsewhere: what it guards is overwritten before it is read.
 pub(crate) fn locked<T>(mutex: &std::sync::Mutex<T>) -> std::sync::MutexGuard<'_, T> {

@@ -6,12 +6,12 @@ use nbrdf_core::nbrdf::fit::generator;
 use nbrdf_core::nbrdf::objective::Objective;
 use nbrdf_core::nbrdf::{PUBLISHED_HIDDEN, PUBLISHED_WEIGHTS};
 
+use super::{TrainError, TrainOptions, TrainingData};
 use crate::Architecture;
 use crate::dataset::{BATCH, Batches, Pool, Spheres};
 use crate::loss::decoded_loss;
 use crate::model::{FEATURES, Model, PublishedModel, ZnbrdfModel};
 use crate::optimizer::AdamW;
-use crate::train::{TrainError, TrainOptions, TrainingData};
 
 /// Steps during which the learning rate rises.
 const WARM_UP: usize = 300;
