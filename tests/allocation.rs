@@ -1,9 +1,11 @@
 //! Scrubbing asks the system for no memory: from the slider's value to the bytes on the display.
 
-use std::sync::Arc;
+use std::sync::{Arc, Mutex, PoisonError};
+use std::time::Duration;
 
 use dhat::{Alloc, HeapStats, Profiler};
 use nbrdf::catalog::{Catalog, Reference};
+use nbrdf::worker::{Answer, Card, Lighting, Request, Stock, Worker};
 use nbrdf_core::Weights;
 use nbrdf_core::library::builtin;
 use nbrdf_core::render::{Scrub, Sphere};
@@ -11,8 +13,12 @@ use nbrdf_core::render::{Scrub, Sphere};
 #[global_allocator]
 static ALLOCATOR: Alloc = Alloc;
 
+/// The whole process is counted: one test at a time.
+static COUNTING: Mutex<()> = Mutex::new(());
+
 #[test]
 fn a_frame_of_scrubbing_allocates_nothing() {
+    let _alone = COUNTING.lock().unwrap_or_else(PoisonError::into_inner);
     let _profiler = Profiler::builder().testing().build();
     let catalog = Catalog::new(Arc::new(Reference::built_in()));
     let ends = ["gold-paint", "blue-acrylic"].map(|name| builtin::shared().get(name).unwrap().material());
@@ -38,4 +44,56 @@ fn a_frame_of_scrubbing_allocates_nothing() {
         assert_eq!(counted, 0, "{method}: {counted} allocations in 100 frames");
         assert_ne!(scrub.display_bytes(), before, "{method}: the picture has moved");
     }
+}
+
+/// Four spheres of 256² and their figures, through the threads of the app: a picture alone would be 256 KiB.
+#[test]
+fn the_apps_threads_allocate_no_picture_per_frame() {
+    const FRAMES: usize = 50;
+    let _alone = COUNTING.lock().unwrap_or_else(PoisonError::into_inner);
+    let _profiler = Profiler::builder().testing().build();
+    let mut stock = Stock::built_in();
+    stock.materials.retain(|material| ["gold-paint", "blue-acrylic"].contains(&material.name.as_str()));
+    let mut worker = Worker::start(stock, || ());
+    let plates = worker.plates();
+    let mut request = Request {
+        ends: ["gold-paint".to_owned(), "blue-acrylic".to_owned()],
+        methods: vec!["latent", "raw_weights"],
+        t: 0.0,
+        exposure: 0.5,
+        lighting: Lighting::Point(nbrdf_core::Vec3::new(0.0, 0.6, 0.8)),
+        size: 256,
+        strip: 0,
+    };
+    let mut frames = |count: usize| {
+        let (mut pictures, mut figures) = (0, 0);
+        for frame in 0..count {
+            request.t = (frame as f32 + 0.5) / count as f32;
+            let number = worker.show(request.clone());
+            let mut is_done = false;
+            while !is_done {
+                std::thread::sleep(Duration::from_micros(200));
+                for answer in worker.answers() {
+                    match answer {
+                        Answer::Done(done) => is_done = done == number,
+                        Answer::Picture(card, picture) => {
+                            pictures += usize::from(matches!(card, Card::Method(_)));
+                            plates.give_back(picture.rgba);
+                        }
+                        Answer::Thumbnail(_, picture) => plates.give_back(picture.rgba),
+                        Answer::Figures(..) => figures += 1,
+                        Answer::Failed(_, why) | Answer::Notice(why) => panic!("{why}"),
+                        _ => {}
+                    }
+                }
+            }
+        }
+        (pictures, figures)
+    };
+    frames(20);
+    let start = HeapStats::get().total_bytes;
+    let (pictures, figures) = frames(FRAMES);
+    let per_frame = (HeapStats::get().total_bytes - start) / FRAMES as u64;
+    assert!(pictures >= 2 * FRAMES && figures >= 4 * FRAMES, "{pictures} pictures, {figures} figures");
+    assert!(per_frame < 16 * 1024, "{per_frame} bytes per frame");
 }

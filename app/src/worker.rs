@@ -1,10 +1,11 @@
 //! Long work off the UI thread: prepares paths, renders spheres, compares them.
 //!
-//! Three threads. *Paths* encodes materials and learns bases; *spheres* renders the newest request, coarse first and
+//! Three threads. *Paths* encodes materials and learns bases; *studio* renders the newest request, coarse first and
 //! fine when nothing newer came; *shelf* renders thumbnails and reads files. Each has a mailbox in which the newest
 //! request replaces older ones. Nothing here knows a window: answers wait in a channel, and `wake` says that they do.
 
 mod figures;
+mod films;
 mod mailbox;
 mod paths;
 mod picture;
@@ -12,6 +13,8 @@ mod plates;
 mod shelf;
 mod spheres;
 mod stock;
+mod strips;
+mod studio;
 mod surround;
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -161,9 +164,9 @@ impl Worker {
         };
         let (requests, wants) = (Arc::clone(&office.requests), Arc::clone(&office.wants));
         let plates = office.plates.clone();
-        let [for_paths, for_spheres] = [office.clone(), office.clone()];
+        let [for_paths, for_studio] = [office.clone(), office.clone()];
         std::thread::spawn(move || paths::run(&for_paths));
-        std::thread::spawn(move || spheres::run(for_spheres));
+        std::thread::spawn(move || studio::run(for_studio));
         std::thread::spawn(move || shelf::run(&office, &opened));
         Self { requests, wants, files, answers, plates, number: 0 }
     }

@@ -17,7 +17,7 @@ use crate::simd::powers;
 pub const DISPLAY_GAMMA: f32 = 2.2;
 
 /// `width` × `height` linear pixels (BT.709 primaries), row by row from the top left.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Image {
     width: usize,
     height: usize,
@@ -108,9 +108,18 @@ impl Image {
 
     /// What a display shows: clip(L, 0, 1)^(1/2.2), 0..1. NaN shows black.
     pub fn displayed(&self) -> Self {
-        let mut shown = self.map(|pixel| pixel.map(clipped));
-        powers(Rgb::flat_mut(&mut shown.pixels), 1.0 / DISPLAY_GAMMA);
+        let mut shown = Self::default();
+        self.displayed_into(1.0, &mut shown);
         shown
+    }
+
+    /// As [`displayed`](Self::displayed) of the image times `gain`, over an earlier picture; allocates nothing where
+    /// there is room.
+    pub fn displayed_into(&self, gain: f32, shown: &mut Self) {
+        (shown.width, shown.height) = (self.width, self.height);
+        shown.pixels.clear();
+        shown.pixels.extend(self.pixels.iter().map(|pixel| pixel.map(|linear| clipped(gain * linear))));
+        powers(Rgb::flat_mut(&mut shown.pixels), 1.0 / DISPLAY_GAMMA);
     }
 
     /// The images side by side, tops aligned, `gap` black columns between them.

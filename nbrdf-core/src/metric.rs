@@ -25,7 +25,7 @@ pub use physics::{Physics, albedo_max, directional_albedo, negative_share, recip
 pub use psnr::{PSNR_CAP, mae, psnr, rmse};
 pub use relative_log::{RelativeLog, relative_log};
 pub use rendered::Rendered;
-pub use smoothness::{Smoothness, hue_excursion};
+pub use smoothness::{Smoothness, distance_from_segment, hue_excursion, mean_chromaticity};
 pub use spread::Spread;
 pub use ssim::ssim;
 

@@ -2,13 +2,13 @@
 
 use std::collections::HashMap;
 
-use nbrdf_core::Weights;
-use nbrdf_core::render::{Environment, METRIC_SIZE, Progressive};
+use nbrdf_core::render::{METRIC_SIZE, Progressive};
 use nbrdf_core::sampler::lobe::Lobe;
 
+use super::films::Subject;
 use super::picture::Picture;
-use super::spheres::{QUIET, Studio};
-use super::{Answer, Card, Lighting, Request, STRIP_STEPS, guarded};
+use super::studio::{QUIET, Studio};
+use super::{Answer, Card, Lighting, Request, guarded};
 
 /// Samples per pixel of a picture that is not left alone.
 const AT_ONCE: u32 = 4;
@@ -21,12 +21,15 @@ const FINISHED: u32 = 256;
 pub(super) type Lobes = HashMap<String, Lobe>;
 
 impl Studio {
-    /// Renders the cards, better and better; whether it came to the end.
-    pub(super) fn surround(&mut self, cards: &[Card], request: &Request) -> bool {
+    /// Renders the spheres, better and better, and the film strips in between; whether it came to the end.
+    pub fn surrounded(&mut self, subjects: &[Subject], request: &Request) -> bool {
         let Lighting::Around { map, turn } = request.lighting else { return true };
+        // Lamps start anew afterwards.
+        self.sent.clear();
+        let cards: Vec<Card> = subjects.iter().map(|subject| subject.0).collect();
         let environment = self.office.map(map).rotated(f64::from(turn));
         let lobes: Vec<Lobe> = cards.iter().map(|card| self.lobe(*card, request)).collect();
-        for card in cards {
+        for card in &cards {
             self.office.say(Answer::Figures(*card, None));
         }
         for (size, samples) in [(METRIC_SIZE.min(request.size), AT_ONCE), (request.size, FINISHED)] {
@@ -50,38 +53,20 @@ impl Studio {
                     }
                     index += 1;
                 }
-                if pass == DECENT && !self.roll_around(request, &environment) {
+                if pass == DECENT
+                    && !self.roll(request, |studio, t, brdf| {
+                        let lobe = studio.mixed_lobe(t, request);
+                        let mut picture = Progressive::new(request.strip, environment.clone(), 0);
+                        (0..DECENT).for_each(|_| picture.pass(brdf, &lobe));
+                        picture.image()
+                    })
+                {
                     return false;
                 }
             }
             if !self.office.requests.stays_quiet(QUIET) {
                 return false;
             }
-        }
-        true
-    }
-
-    /// Renders film strips that changed; whether it came to the end.
-    fn roll_around(&mut self, request: &Request, environment: &Environment) -> bool {
-        for &method in request.methods.iter().filter(|_| request.strip > 0) {
-            let card = Card::Method(method);
-            let Some((path, stamp)) = self.unrolled(card, method, request) else { continue };
-            for step in 0..STRIP_STEPS {
-                let t = step as f32 / (STRIP_STEPS - 1) as f32;
-                let lobe = self.mixed_lobe(t, request);
-                let render = || {
-                    let brdf = path.at(&Weights::two(t)).ok()?;
-                    let mut picture = Progressive::new(request.strip, environment.clone(), 0);
-                    (0..DECENT).for_each(|_| picture.pass(brdf.as_ref(), &lobe));
-                    Some(picture.image())
-                };
-                if self.office.requests.has_news() {
-                    return false;
-                }
-                let Ok(Some(image)) = guarded("Rendering", render) else { continue };
-                self.office.say(Answer::Frame(card, step, Picture::of(&image, request.exposure, &self.office.plates)));
-            }
-            self.rolled(card, stamp);
         }
         true
     }

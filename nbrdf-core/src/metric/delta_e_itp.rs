@@ -20,7 +20,7 @@ const ICTCP_FROM_LMS: [[f64; 3]; 3] = [[2048.0, 2048.0, 0.0], [6610.0, -13613.0,
 const WHITE: f64 = 100.0 / 10_000.0;
 
 /// A picture in I, T, P: worth keeping where one picture is compared with several.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub struct ItpImage {
     width: usize,
     height: usize,
@@ -30,10 +30,18 @@ pub struct ItpImage {
 impl ItpImage {
     /// From a linear image.
     pub fn new(linear: &Image) -> Self {
+        let mut itp = Self::default();
+        itp.renew(linear, 1.0);
+        itp
+    }
+
+    /// Takes the place of this picture: a linear image times `gain`. Allocates nothing where there is room.
+    pub fn renew(&mut self, linear: &Image, gain: f32) {
         let black = itp_from_linear(Rgb::BLACK);
-        let convert = |&pixel: &Rgb| if pixel == Rgb::BLACK { black } else { itp_from_linear(pixel) };
-        let pixels = linear.pixels().iter().map(convert).collect();
-        Self { width: linear.width(), height: linear.height(), pixels }
+        let convert = |&pixel: &Rgb| if pixel == Rgb::BLACK { black } else { itp_from_linear(pixel * gain) };
+        (self.width, self.height) = (linear.width(), linear.height());
+        self.pixels.clear();
+        self.pixels.extend(linear.pixels().iter().map(convert));
     }
 
     /// Mean ΔE_ITP to another picture over covered pixels, from 0 up; 0 where nothing is covered.

@@ -46,26 +46,29 @@ impl Smoothness {
 
 /// Largest distance in u′v′ of the pictures' mean colours from the segment between the ends'; 0 for no detour.
 ///
-/// The mean is over covered pixels of the *linear* pictures, clipped to 0..1. A black picture counts as white light.
-///
 /// # Panics
 /// If the mask differs in size from a picture (a bug of the caller).
 pub fn hue_excursion(images: &[Image], covered: &[bool]) -> f64 {
-    let colours: Vec<[f64; 2]> = images.iter().map(|image| chromaticity(mean_clipped(image, covered))).collect();
+    let colours: Vec<[f64; 2]> = images.iter().map(|image| mean_chromaticity(image, 1.0, covered)).collect();
     let (Some(&first), Some(&last)) = (colours.first(), colours.last()) else { return 0.0 };
     colours.iter().map(|&colour| distance_from_segment(colour, first, last)).fold(0.0, f64::max)
 }
 
-fn mean_clipped(image: &Image, covered: &[bool]) -> [f64; 3] {
+/// CIE 1976 u′v′ of the mean over covered pixels of a *linear* picture times `gain`, clipped to 0..1. A black picture
+/// counts as white light.
+///
+/// # Panics
+/// If the mask differs in size from the picture (a bug of the caller).
+pub fn mean_chromaticity(image: &Image, gain: f32, covered: &[bool]) -> [f64; 2] {
     assert_eq!(image.pixels().len(), covered.len(), "one mask entry per pixel");
     let (mut sum, mut count) = ([0.0; 3], 0_usize);
     for (Rgb(pixel), _) in image.pixels().iter().zip(covered).filter(|&(_, &on)| on) {
         for (sum, value) in sum.iter_mut().zip(pixel) {
-            *sum += f64::from(clipped(*value));
+            *sum += f64::from(clipped(gain * value));
         }
         count += 1;
     }
-    sum.map(|sum| sum / count.max(1) as f64)
+    chromaticity(sum.map(|sum| sum / count.max(1) as f64))
 }
 
 /// CIE 1976 u′v′ of linear BT.709.
@@ -76,7 +79,8 @@ fn chromaticity(linear: [f64; 3]) -> [f64; 2] {
     [4.0 * x / scale, 9.0 * y / scale]
 }
 
-fn distance_from_segment(point: [f64; 2], from: [f64; 2], to: [f64; 2]) -> f64 {
+/// Distance of a point from the segment between two others, in their unit.
+pub fn distance_from_segment(point: [f64; 2], from: [f64; 2], to: [f64; 2]) -> f64 {
     let along = [to[0] - from[0], to[1] - from[1]];
     let offset = [point[0] - from[0], point[1] - from[1]];
     let length2 = along[0] * along[0] + along[1] * along[1];

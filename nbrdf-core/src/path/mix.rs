@@ -1,8 +1,10 @@
 //! Mixes of reflectance values: no representation, as costly to evaluate as all ends together.
 
+use std::cell::Cell;
 use std::sync::Arc;
 
 use super::{Interpolation, Path, PathError, Weights, at_least_two};
+use crate::brdf::Prepared;
 use crate::nbrdf::objective::DARKEST;
 use crate::{Brdf, Directions, Material, Rgb};
 
@@ -58,6 +60,40 @@ impl Mixed {
     }
 }
 
+thread_local! {
+    /// Each thread's values of one part; a mix of mixes finds none and makes its own.
+    static PART: Cell<Vec<Rgb>> = const { Cell::new(Vec::new()) };
+}
+
+impl Mixed {
+    /// Mixes what `eval` makes of every part, unclamped.
+    fn mix(&self, at: &[Directions], out: &mut [Rgb], eval: impl Fn(&dyn Brdf, &mut [Rgb])) {
+        let floor = match self.mix {
+            Mix::Linear => 0.0,
+            Mix::Log => DARKEST,
+            Mix::Log1p => 1.0,
+        };
+        let mut part = PART.take();
+        part.resize(at.len(), Rgb::BLACK);
+        out.fill(Rgb::BLACK);
+        for (weight, brdf) in &self.parts {
+            eval(brdf.as_ref(), &mut part);
+            for (out, f) in out.iter_mut().zip(&part) {
+                *out += match self.mix {
+                    Mix::Linear => *f * *weight,
+                    Mix::Log | Mix::Log1p => f.map(|f| weight * (f + floor).ln()),
+                };
+            }
+        }
+        PART.set(part);
+        if self.mix != Mix::Linear {
+            for (out, at) in out.iter_mut().zip(at) {
+                *out = if at.is_above() { out.map(|y| y.min(80.0).exp() - floor) } else { Rgb::BLACK };
+            }
+        }
+    }
+}
+
 impl Brdf for Mixed {
     fn eval(&self, at: Directions) -> Rgb {
         let mut out = [Rgb::BLACK];
@@ -70,27 +106,12 @@ impl Brdf for Mixed {
         out.iter_mut().for_each(|f| *f = f.map(|f| f.max(0.0)));
     }
 
+    fn eval_prepared(&self, at: &Prepared, out: &mut [Rgb]) {
+        self.mix(at.directions(), out, |brdf, part| brdf.eval_prepared(at, part));
+        out.iter_mut().for_each(|f| *f = f.map(|f| f.max(0.0)));
+    }
+
     fn eval_signed_into(&self, at: &[Directions], out: &mut [Rgb]) {
-        let floor = match self.mix {
-            Mix::Linear => 0.0,
-            Mix::Log => DARKEST,
-            Mix::Log1p => 1.0,
-        };
-        let mut part = vec![Rgb::BLACK; at.len()];
-        out.fill(Rgb::BLACK);
-        for (weight, brdf) in &self.parts {
-            brdf.eval_into(at, &mut part);
-            for (out, f) in out.iter_mut().zip(&part) {
-                *out += match self.mix {
-                    Mix::Linear => *f * *weight,
-                    Mix::Log | Mix::Log1p => f.map(|f| weight * (f + floor).ln()),
-                };
-            }
-        }
-        if self.mix != Mix::Linear {
-            for (out, at) in out.iter_mut().zip(at) {
-                *out = if at.is_above() { out.map(|y| y.min(80.0).exp() - floor) } else { Rgb::BLACK };
-            }
-        }
+        self.mix(at, out, |brdf, part| brdf.eval_into(at, part));
     }
 }

@@ -1,0 +1,158 @@
+//! The thread that renders: what was asked for last, coarse at once, fine when nothing newer came.
+
+use std::collections::{HashMap, HashSet};
+use std::sync::Arc;
+use std::time::Duration;
+
+use nbrdf_core::path::mix::{Mix, Mixed};
+use nbrdf_core::render::Light;
+use nbrdf_core::{Brdf, Path, Weights};
+
+use super::figures::Seen;
+use super::films::{Films, Subject};
+use super::paths::Prepared;
+use super::spheres::Sent;
+use super::strips::Strip;
+use super::surround::Lobes;
+use super::{Answer, Card, Lighting, Office, Request, guarded};
+
+/// How long nothing new must come before finer pictures are rendered.
+pub(super) const QUIET: Duration = Duration::from_millis(60);
+/// The linear mix is kept under a name that no method of the catalog has.
+pub(super) const MIX: Card = Card::Method("");
+
+/// The thread's memory.
+pub(super) struct Studio {
+    pub office: Office,
+    /// The present point of every path, moved in place.
+    points: HashMap<Card, Box<dyn Brdf>>,
+    pub films: Films,
+    /// What the window has of every card.
+    pub sent: HashMap<Card, Sent>,
+    pub strips: HashMap<Card, Strip>,
+    pub seen: Vec<Seen>,
+    /// What the user was told about these ends; nobody wants to dismiss it twice.
+    told: ([String; 2], HashSet<String>),
+    pub lobes: Lobes,
+}
+
+/// Renders the newest request until the mailbox closes.
+pub(super) fn run(office: Office) {
+    let requests = Arc::clone(&office.requests);
+    let mut studio = Studio {
+        office,
+        points: HashMap::new(),
+        films: Films::default(),
+        sent: HashMap::new(),
+        strips: HashMap::new(),
+        seen: Vec::new(),
+        told: Default::default(),
+        lobes: HashMap::new(),
+    };
+    while let Some((number, request)) = requests.take() {
+        match guarded("Rendering", || studio.show(&request)) {
+            Ok(true) => studio.office.say(Answer::Done(number)),
+            Ok(false) => {}
+            Err(why) => {
+                studio.office.say(Answer::Notice(why));
+                studio.office.say(Answer::Done(number));
+            }
+        }
+    }
+}
+
+impl Studio {
+    /// Whether everything there is to show was shown.
+    fn show(&mut self, request: &Request) -> bool {
+        let Some((subjects, pending)) = self.gather(request) else { return true };
+        let is_shown = match request.lighting.lamps() {
+            Some(light) => self.under_lamps(&subjects, request, &light),
+            None => self.surrounded(&subjects, request),
+        };
+        is_shown && !pending
+    }
+
+    /// What of a request can be rendered by now, and whether some must wait. Points of paths, ends and the linear mix
+    /// lie in `points` afterwards.
+    fn gather(&mut self, request: &Request) -> Option<(Vec<Subject>, bool)> {
+        let ends = &request.ends;
+        let mut found: Vec<Subject> = Vec::new();
+        let mut parts = Vec::new();
+        for (card, name) in [Card::A, Card::B].into_iter().zip(ends) {
+            let Some(material) = self.office.material(name) else {
+                let why = format!("There is no material `{name}`; choose one from the list.");
+                self.withdraw(card, Answer::Failed(card, why.clone()));
+                self.tell(ends, why);
+                continue;
+            };
+            self.points.insert(card, Box::new(Mixed::new(Mix::Linear, vec![(1.0, Arc::clone(&material.brdf))])));
+            let weight = if card == Card::A { 1.0 - request.t } else { request.t };
+            parts.push((weight, material.brdf));
+            found.push((card, [name.clone(), String::new()], 0));
+        }
+        if found.len() < 2 {
+            return None;
+        }
+        let parts = parts.into_iter().filter(|(weight, _)| *weight != 0.0).collect();
+        self.points.insert(MIX, Box::new(Mixed::new(Mix::Linear, parts)));
+        let mut wanted = Vec::new();
+        for &method in &request.methods {
+            let card = Card::Method(method);
+            let key = (ends.clone(), method);
+            match self.office.paths.get(&key) {
+                Some(Prepared::Ready(path)) => match self.move_to(card, path.as_ref(), request.t) {
+                    Ok(()) => found.push((card, ends.clone(), request.t.to_bits())),
+                    Err(why) => self.withdraw(card, Answer::Failed(card, why)),
+                },
+                Some(Prepared::Failed(why)) => self.withdraw(card, Answer::Failed(card, why)),
+                None => {
+                    self.withdraw(card, Answer::Pending(card));
+                    wanted.push(key);
+                }
+            }
+        }
+        let pending = !wanted.is_empty();
+        if pending {
+            self.office.wants.put(wanted);
+        }
+        Some((found, pending))
+    }
+
+    /// Puts a card's point at t: in place, where there is one.
+    fn move_to(&mut self, card: Card, path: &dyn Path, t: f32) -> Result<(), String> {
+        let weights = Weights::two(t);
+        let moved = guarded("The path", || match self.points.get_mut(&card) {
+            Some(point) => path.move_to(&weights, point),
+            None => path.at(&weights).map(|point| drop(self.points.insert(card, point))),
+        })?;
+        moved.map_err(|error| error.to_string())
+    }
+
+    /// The material that a card shows now.
+    pub fn point(&self, card: Card) -> Option<&dyn Brdf> {
+        self.points.get(&card).map(Box::as_ref)
+    }
+
+    /// Renders a subject's present point, unless that picture is there.
+    pub fn render(&mut self, subject: &Subject, lamps: (Lighting, &Light), size: usize) -> Result<(), String> {
+        let point = self.points.get(&subject.0).ok_or("there is no such material")?;
+        self.films.render(subject, point.as_ref(), lamps, size)
+    }
+
+    /// There is no such sphere now: the window forgets what it has of it, so nothing counts as sent.
+    pub fn withdraw(&mut self, card: Card, answer: Answer) {
+        self.sent.remove(&card);
+        self.strips.remove(&card);
+        self.office.say(answer);
+    }
+
+    /// A notice, once for these ends.
+    pub fn tell(&mut self, ends: &[String; 2], why: String) {
+        if self.told.0 != *ends {
+            self.told = (ends.clone(), HashSet::new());
+        }
+        if self.told.1.insert(why.clone()) {
+            self.office.say(Answer::Notice(why));
+        }
+    }
+}
