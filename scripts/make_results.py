@@ -122,15 +122,19 @@ def evaluation_speed(speed: dict) -> str:
 
 def speed_section(speed: dict, accuracy: dict, fit: dict, instructions: dict, training: dict) -> str:
     pruning, codes, spheres = speed["pruning"], speed["codes"], speed["spheres"]
-    merl = [row for row in pruning["materials"] if "/" not in row["name"]]
-    faster = {key: sum(row[key][0] / row[key][1] for row in merl) / len(merl) for key in ("ns", "prepared_ns")}
+    saved = pruning["materials"]
+    merl = [row for row in saved if "/" not in row["name"]]
+
+    def faster(rows: list, key: str) -> float:
+        return sum(row[key][0] / row[key][1] for row in rows) / len(rows)
+
     peaks = ", ".join(f"{peak['name']} {peak['gflops']:.0f}" for peak in speed["peaks"] if peak["name"] != "portable")
     return f"""## Speed
 
 One thread, batches of 4096 random valid directions, RGB out; `prepared` means that half and difference vectors are
 given (the network alone). Machines differ: the ratio to `reference_loop`, the loop over `Vec<Vec<f32>>` that makes its
 half vectors without trigonometry, counts. Efficiency is 1350 flop / ns / the measured multiply-add peak of that instruction
-set (here {peaks} GFLOP/s; `{speed['instruction_set']}` measured fastest and is used).
+set (here, on {speed['processor']}: {peaks} GFLOP/s; `{speed['instruction_set']}` measured fastest and is used).
 
     target/release/nbrdf speed --json
 
@@ -140,12 +144,12 @@ set (here {peaks} GFLOP/s; `{speed['instruction_set']}` measured fastest and is 
   {"; ".join(f"{row['name']} {row['median']:.1e} in the median network, {row['worst']:.1e} in the worst" for row in accuracy["rows"])}:
   `cargo test --release -p nbrdf-core --test golden_networks -- --nocapture`.
 - **Pruned**: over the {len(pruning['materials'])} published networks {pruning['live'][0]:.1f} + {pruning['live'][1]:.1f} of 21 + 21 units are proved to be able to fire;
-  {pruning['multiply_adds']['mean']:.0f} of 630 multiply-adds are left on average ({pruning['multiply_adds']['max']:.0f} at most), {faster['ns']:.2f} × faster from directions and {faster['prepared_ns']:.2f} × alone
-  over the 100 of MERL, bit for bit the same. Every material: [pruning.md](pruning.md).
+  {pruning['multiply_adds']['mean']:.0f} of 630 multiply-adds are left on average ({pruning['multiply_adds']['max']:.0f} at most), {faster(saved, 'ns'):.2f} × faster from directions and {faster(saved, 'prepared_ns'):.2f} × alone
+  (the 100 of MERL: {faster(merl, 'ns'):.2f} and {faster(merl, 'prepared_ns'):.2f}), bit for bit the same. Every material: [pruning.md](pruning.md).
 - **Codes** on one core: encode {codes['encode_s'] * 1e6:.0f} µs, decode {codes['decode_s'] * 1e6:.0f} µs, refine {codes['refine_s'] * 1e3:.0f} ms.
 - **Pictures** under three directional lights on {spheres['threads']} threads: four spheres of 256² in {spheres['four_of_256_s'] * 1e3:.1f} ms ({spheres['four_of_256_displayed_s'] * 1e3:.1f} ms with
-  display bytes), one of 1024² in {spheres['one_of_1024_s'] * 1e3:.1f} ms ({1 / spheres['one_of_1024_s']:.0f} per second). A frame of scrubbing allocates nothing
-  (`cargo test --release --test allocation`).
+  display bytes), one of 1024² in {spheres['one_of_1024_s'] * 1e3:.1f} ms ({1 / spheres['one_of_1024_s']:.0f} per second). From the slider to the bytes a frame of scrubbing
+  allocates nothing, the app's threads no picture (`cargo test --release --test allocation`).
 - **Fitting** one network: {fit['nbrdf_step_s'] * 1e6:.0f} µs per step of 512 directions, {fit['times_faster']:.1f} × faster than the same steps in jitted JAX on one
   thread ({fit['jax_step_s'] * 1e6:.0f} µs): `python scripts/bench_fit.py`.
 - **Training**: {training['own'] * 1e3:.1f} ms per step of 32 materials × 512 directions, {training['plain'] / training['own']:.0f} × faster than plain candle operations in the same

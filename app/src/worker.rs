@@ -113,8 +113,8 @@ pub enum Answer {
     Thumbnail(String, Picture),
     /// Names of materials read from a file.
     Opened(Vec<String>),
-    /// A map was read: all maps by name, the new one last.
-    Surround(Vec<String>),
+    /// A map was read: all maps by name, and which of them it is.
+    Surround(Vec<String>, usize),
     /// Something to tell the user.
     Notice(String),
 }
@@ -129,15 +129,20 @@ pub struct Worker {
     number: u64,
 }
 
-/// Maps by name.
-type Maps = Vec<(String, Environment)>;
+/// A map that spheres can stand in.
+struct Map {
+    name: String,
+    /// Its file; none for the built-in one.
+    file: Option<PathBuf>,
+    environment: Environment,
+}
 
 /// What all threads share.
 #[derive(Clone)]
 struct Office {
     stock: Arc<Stock>,
     materials: Arc<RwLock<Vec<Material>>>,
-    maps: Arc<RwLock<Maps>>,
+    maps: Arc<RwLock<Vec<Map>>>,
     plates: Plates,
     paths: Arc<Paths>,
     requests: Arc<Mailbox<(u64, Request)>>,
@@ -153,7 +158,11 @@ impl Worker {
         let (files, opened) = mpsc::channel();
         let office = Office {
             materials: Arc::new(RwLock::new(stock.materials.clone())),
-            maps: Arc::new(RwLock::new(vec![("Soft boxes".to_owned(), Environment::softboxes())])),
+            maps: Arc::new(RwLock::new(vec![Map {
+                name: "Soft boxes".to_owned(),
+                file: None,
+                environment: Environment::softboxes(),
+            }])),
             plates: Plates::default(),
             stock: Arc::new(stock),
             paths: Arc::default(),
@@ -209,17 +218,22 @@ impl Office {
         (self.wake)();
     }
 
-    /// Adds a map; the names of all.
-    fn surround_with(&self, name: String, environment: Environment) -> Vec<String> {
+    /// Adds a map, or puts it in the place of an earlier one of the same file: maps are large. The names of all, and its
+    /// place.
+    fn surround_with(&self, map: Map) -> (Vec<String>, usize) {
         let mut maps = self.maps.write().unwrap_or_else(PoisonError::into_inner);
-        maps.push((name, environment));
-        maps.iter().map(|(name, _)| name.clone()).collect()
+        let place = maps.iter().position(|known| known.file == map.file).unwrap_or(maps.len());
+        match maps.get_mut(place) {
+            Some(known) => *known = map,
+            None => maps.push(map),
+        }
+        (maps.iter().map(|map| map.name.clone()).collect(), place)
     }
 
     /// The map in this place; the built-in one where there is none.
     fn map(&self, place: usize) -> Environment {
         let maps = self.maps.read().unwrap_or_else(PoisonError::into_inner);
-        maps.get(place).map_or_else(Environment::softboxes, |(_, environment)| environment.clone())
+        maps.get(place).map_or_else(Environment::softboxes, |map| map.environment.clone())
     }
 
     fn material(&self, name: &str) -> Option<Material> {

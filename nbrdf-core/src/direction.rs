@@ -5,6 +5,10 @@
 
 use glam::{DVec3, Vec3};
 
+/// Light and view whose sum is shorter have no half vector worth the name (both within 0.03° of the horizon, on opposite
+/// sides): the normal takes its place.
+pub(crate) const OPPOSITE: f32 = 1e-3;
+
 /// Light and view, unit vectors away from the surface, in the shading frame (normal is +z).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Directions {
@@ -79,12 +83,13 @@ impl Directions {
     fn half_diff_and_azimuth(self) -> (HalfDiff, (f32, f32)) {
         let l = self.light.as_dvec3();
         let sum = l + self.view.as_dvec3();
+        let sum = if sum.length() < f64::from(OPPOSITE) { DVec3::Z } else { sum };
         let h = sum / sum.length();
         let sin = h.x.hypot(h.y);
         let (cos_phi, sin_phi) = if sin > 0.0 { (h.x / sin, h.y / sin) } else { (1.0, 0.0) };
         let x = cos_phi * l.x + sin_phi * l.y;
         let y = cos_phi * l.y - sin_phi * l.x;
-        let diff = DVec3::new(h.z * x - sin * l.z, y, sin * x + h.z * l.z);
+        let diff = DVec3::new(h.z * x - sin * l.z, y, (sin * x + h.z * l.z).abs());
         let half = DVec3::new(sin, 0.0, h.z);
         (HalfDiff { half: half.as_vec3(), diff: diff.as_vec3() }, (cos_phi as f32, sin_phi as f32))
     }

@@ -47,9 +47,12 @@ pub fn minimize<P: Residuals>(problem: &P, start: &[f32], options: Steps) -> Res
         for _ in 0..6 {
             let Some(step) = damped_step(&normal, &slope, damping) else { break };
             let next: Vec<f32> = point.iter().zip(&step).map(|(p, s)| p - *s as f32).collect();
-            let next_residual = first(problem.residuals(std::slice::from_ref(&next))?);
-            let next_loss = problem.loss(&next_residual);
-            if next_loss < loss {
+            // A step to where nothing can be evaluated is a step too far.
+            let tried = problem.residuals(std::slice::from_ref(&next)).map(first);
+            let tried = tried.map(|residual| (problem.loss(&residual), residual));
+            if let Ok((next_loss, next_residual)) = tried
+                && next_loss < loss
+            {
                 (point, residual, loss) = (next, next_residual, next_loss);
                 damping = (damping * 0.3).max(1e-6);
                 improved = true;

@@ -129,8 +129,8 @@ impl Row {
         Self { pixels, at: Prepared::new(at), weights }
     }
 
-    /// Pixels off the sphere stay as they are: black.
     fn shade(&self, brdf: &dyn Brdf, out: &mut [Rgb]) {
+        out.fill(Rgb::BLACK);
         // Taken out, not borrowed: whatever the material does on this thread, nobody else holds them.
         let mut values = VALUES.take();
         values.resize(self.at.len(), Rgb::BLACK);
@@ -186,6 +186,14 @@ mod tests {
 
     const WHITE: Lambert = Lambert { albedo: Rgb::splat(1.0) };
     const GLOSSY: Ggx = Ggx { diffuse: Rgb([0.2, 0.1, 0.0]), f0: Rgb::splat(0.04), alpha: 0.2 };
+
+    #[test]
+    fn nothing_is_left_of_an_earlier_picture() {
+        let sphere = Sphere::new(17, &Light::point());
+        let mut image = Image::new(17, 17, vec![Rgb::splat(9.0); 17 * 17]);
+        sphere.render_into(&GLOSSY, &mut image);
+        assert_eq!(image, sphere.render(&GLOSSY));
+    }
 
     #[test]
     fn white_facing_the_point_light_shows_one() {

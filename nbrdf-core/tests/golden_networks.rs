@@ -55,6 +55,9 @@ fn published_networks_evaluate_as_in_float64_and_as_well_as_by_the_plain_loop() 
         println!("{name}: median network {:.2e}, worst {:.2e} ({})", median.0, last.0, last.1);
     }
     assert!(own[67].0 <= 1e-5 && own[133].0 <= 3e-4, "{:?} {:?}", own[67], own[133]);
+    for place in [67, 133] {
+        assert!(own[place].0 <= 1.05 * plain[place].0, "{:?} {:?}", own[place], plain[place]);
+    }
     for set in InstructionSet::available() {
         let worst = errors(|network, at, out| network.eval_with(set, at, out)).unwrap();
         println!("{}: median network {:.2e}, worst {:.2e}", set.name(), worst[67].0, worst[133].0);

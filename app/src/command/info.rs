@@ -41,13 +41,18 @@ impl Info {
         let physics = Physics::of(item.material.brdf.as_ref());
         let znbrdf = shelf.catalog.representation("znbrdf", false)?;
         let known = Known::of(&item.material, znbrdf.as_ref())?;
+        let live = item.material.network.as_ref().map(|network| (network.live(), Live::all(network.hidden())));
+        let lobe = Lobe::fit(item.material.brdf.as_ref());
         let albedo: Vec<_> = ANGLES.map(|angle| (angle, albedo(&item.material, angle))).to_vec();
         let summary = json!({
             "schema": 1, "name": item.material.name, "database": Database::of(&item.material.name),
             "split": item.split(), "held_out": item.split() == Some(nbrdf_core::Split::HeldOut),
             "hidden": item.material.network.as_ref().map(Nbrdf::hidden),
-            "live": item.material.network.as_ref().map(live),
-            "lobe": Lobe::fit(item.material.brdf.as_ref()),
+            "live": live.as_ref().map(|(live, whole)| json!({
+                "units": live.units.each_ref().map(Vec::len), "multiply_adds": live.multiply_adds(),
+                "of_multiply_adds": whole.multiply_adds(),
+            })),
+            "lobe": lobe,
             "bytes": bytes(&item, znbrdf.dim()),
             "albedo": albedo.iter().map(|(angle, rgb)| json!({"degrees": angle, "rgb": rgb})).collect::<Vec<_>>(),
             "albedo_max": physics.albedo_max, "negative_share": physics.negative_share,
@@ -57,7 +62,7 @@ impl Info {
             },
         });
         global.check_energy(&item.material.name, physics.albedo_max)?;
-        report::print(global, &summary, || text(&item, &physics, &albedo, &known, znbrdf.dim()))
+        report::print(global, &summary, || Text { item: &item, physics, albedo, known, live, lobe }.lines(znbrdf.dim()))
     }
 }
 
@@ -75,52 +80,55 @@ fn albedo(material: &Material, degrees: u16) -> [f32; 3] {
     directional_albedo(material.brdf.as_ref(), f32::from(degrees).to_radians()).0
 }
 
-/// What of a network can ever fire.
-fn live(network: &Nbrdf) -> Value {
-    let (live, whole) = (network.live(), Live::all(network.hidden()));
-    json!({
-        "units": live.units.each_ref().map(Vec::len), "multiply_adds": live.multiply_adds(),
-        "of_multiply_adds": whole.multiply_adds(),
-    })
-}
-
 /// Size of each form as f32; what is shared by all materials is not counted.
 fn bytes(item: &Item, dim: usize) -> Value {
     let weights = item.material.network.as_ref().map(|network| size_of_val(network.weights()));
     json!({ "weights": weights, "code": 4 * item.code.as_ref().map_or(dim, |code| code.code.len()) })
 }
 
-fn text(item: &Item, physics: &Physics, albedo: &[(u16, [f32; 3])], known: &Known, dim: usize) -> String {
-    let mut lines = vec![item.material.name.clone()];
-    let mut line = |key: &str, value: String| lines.push(format!("  {key:16}{value}"));
-    let split = match item.split() {
-        Some(split) if split.is_training() => ", seen in training",
-        Some(_) => ", held out",
-        None => "",
-    };
-    line("database", format!("{}{split}", Database::of(&item.material.name)));
-    if let Some(network) = &item.material.network {
-        let [first, second] = network.hidden();
-        let (count, bytes) = (network.weights().len(), size_of_val(network.weights()));
-        line("network", format!("6-{first}-{second}-3, {count} weights, {bytes} bytes"));
+/// Everything that is told, for people.
+struct Text<'a> {
+    item: &'a Item,
+    physics: Physics,
+    albedo: Vec<(u16, [f32; 3])>,
+    known: Known,
+    /// What of a network can ever fire, and all of it.
+    live: Option<(Live, Live)>,
+    lobe: Lobe,
+}
+
+impl Text<'_> {
+    fn lines(&self, dim: usize) -> String {
+        let Self { item, physics, albedo, known, live, lobe } = self;
+        let mut lines = vec![item.material.name.clone()];
+        let mut line = |key: &str, value: String| lines.push(format!("  {key:16}{value}"));
+        let split = match item.split() {
+            Some(split) if split.is_training() => ", seen in training",
+            Some(_) => ", held out",
+            None => "",
+        };
+        line("database", format!("{}{split}", Database::of(&item.material.name)));
+        if let Some(network) = &item.material.network {
+            let [first, second] = network.hidden();
+            let (count, bytes) = (network.weights().len(), size_of_val(network.weights()));
+            line("network", format!("6-{first}-{second}-3, {count} weights, {bytes} bytes"));
+        }
+        if let Some((live, whole)) = live {
+            let [[fire, also], [first, second]] = [live, whole].map(|live| live.units.each_ref().map(Vec::len));
+            let [own, all] = [live, whole].map(Live::multiply_adds);
+            line("can fire", format!("{fire} + {also} of {first} + {second} units: {own} of {all} multiply-adds"));
+        }
+        line("lobe to sample", format!("share {:.3}, width {:.4}", lobe.share, lobe.width));
+        let (model, numbers) = item.code.as_ref().map_or(("znbrdf", dim), |code| (&code.model, code.code.len()));
+        line("code", format!("{model}, {numbers} numbers, {} bytes", 4 * numbers));
+        for (angle, [r, g, b]) in albedo {
+            line(&format!("albedo at {angle}°"), format!("{r:.3}  {g:.3}  {b:.3}"));
+        }
+        let verdict = if physics.albedo_max > 1.0 { "more light leaves than arrives" } else { "keeps energy" };
+        line("albedo_max", format!("{:.3}  {verdict}", physics.albedo_max));
+        line("reciprocity", format!("{:.4}  0 is reciprocal", physics.reciprocity));
+        line("negative_share", format!("{:.4}  below 0 before the clamp", physics.negative_share));
+        line("after its code", format!("log_error {:.4}, studio_psnr {:.1} dB", known.log_error, known.studio_psnr));
+        lines.join("\n") + "\n"
     }
-    if let Some(network) = &item.material.network {
-        let (live, [first, second]) = (network.live(), network.hidden());
-        let [own, all] = [live.multiply_adds(), Live::all(network.hidden()).multiply_adds()];
-        let [fire, also] = live.units.each_ref().map(Vec::len);
-        line("can fire", format!("{fire} + {also} of {first} + {second} units: {own} of {all} multiply-adds"));
-    }
-    let lobe = Lobe::fit(item.material.brdf.as_ref());
-    line("lobe to sample", format!("share {:.3}, width {:.4}", lobe.share, lobe.width));
-    let (model, numbers) = item.code.as_ref().map_or(("znbrdf", dim), |code| (&code.model, code.code.len()));
-    line("code", format!("{model}, {numbers} numbers, {} bytes", 4 * numbers));
-    for (angle, [r, g, b]) in albedo {
-        line(&format!("albedo at {angle}°"), format!("{r:.3}  {g:.3}  {b:.3}"));
-    }
-    let verdict = if physics.albedo_max > 1.0 { "more light leaves than arrives" } else { "keeps energy" };
-    line("albedo_max", format!("{:.3}  {verdict}", physics.albedo_max));
-    line("reciprocity", format!("{:.4}  0 is reciprocal", physics.reciprocity));
-    line("negative_share", format!("{:.4}  below 0 before the clamp", physics.negative_share));
-    line("after its code", format!("log_error {:.4}, studio_psnr {:.1} dB", known.log_error, known.studio_psnr));
-    lines.join("\n") + "\n"
 }

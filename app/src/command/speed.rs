@@ -48,11 +48,27 @@ impl Speed {
         let sets = InstructionSet::available();
         let peaks: Vec<Value> = sets.iter().map(|set| json!({"name": set.name(), "gflops": peak_fma(*set)})).collect();
         let summary = json!({
-            "schema": 1, "reference": reference.kind, "material": material.name,
+            "schema": 1, "reference": reference.kind, "material": material.name, "processor": processor(),
             "instruction_set": InstructionSet::fastest().name(), "peaks": peaks,
             "evaluation": rows, "pruning": pruned(&savings), "codes": codes, "fit": fitting(material, 5)?, "spheres": pictures,
         });
         report::print(global, &summary, || text(&summary, &rows))
+    }
+}
+
+/// What the system calls its processor, else the architecture.
+fn processor() -> String {
+    let known = std::fs::read_to_string("/proc/cpuinfo").unwrap_or_default();
+    let field = |key: &str| {
+        let of =
+            |line: &str| line.split_once(':').filter(|(name, _)| name.trim() == key).map(|(_, v)| v.trim().to_owned());
+        known.lines().find_map(of)
+    };
+    let Some(name) = field("model name") else { return std::env::consts::ARCH.to_owned() };
+    // A guest's name may say no more than the maker's.
+    match (field("cpu family"), field("model")) {
+        (Some(family), Some(model)) => format!("{name} (family {family}, model {model})"),
+        _ => name,
     }
 }
 

@@ -94,7 +94,12 @@ fn light(ui: &mut Ui, session: &mut Session, maps: &[String]) {
         .extend(maps.iter().enumerate().map(|(map, name)| (name.as_str(), about, Lighting::Around { map, turn: 0.0 })));
     let combo = ComboBox::from_id_salt("light").selected_text(name).width(96.0).show_ui(ui, |ui| {
         for (own, about, lighting) in choices {
-            if ui.selectable_label(own == name, own).on_hover_text(about).clicked() && own != name {
+            // By what it is: two maps may have one name.
+            let is_chosen = match (lighting, session.lighting) {
+                (Lighting::Around { map, .. }, Lighting::Around { map: chosen, .. }) => map == chosen,
+                (one, other) => std::mem::discriminant(&one) == std::mem::discriminant(&other),
+            };
+            if ui.selectable_label(is_chosen, own).on_hover_text(about).clicked() && !is_chosen {
                 session.lighting = lighting;
             }
         }

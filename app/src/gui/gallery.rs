@@ -78,7 +78,7 @@ impl Gallery {
                 self.thumbnails.extend(texture.map(|texture| (name, texture)));
             }
             Answer::Opened(names) => self.names.extend(names),
-            Answer::Surround(names) => self.maps = names,
+            Answer::Surround(names, _) => self.maps = names,
             Answer::Notice(text) => self.notify(text),
         }
     }

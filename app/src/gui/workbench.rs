@@ -59,8 +59,8 @@ impl Workbench {
         }
         for answer in self.worker.answers() {
             // Whoever opens a map wants to see it.
-            if let Answer::Surround(names) = &answer {
-                self.session.lighting = Lighting::Around { map: names.len() - 1, turn: 0.0 };
+            if let Answer::Surround(_, map) = &answer {
+                self.session.lighting = Lighting::Around { map: *map, turn: 0.0 };
             }
             self.gallery.take(ui.ctx(), answer);
         }

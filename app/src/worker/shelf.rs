@@ -6,7 +6,7 @@ use std::sync::{PoisonError, mpsc};
 use nbrdf_core::render::{Environment, Light, Sphere};
 use nbrdf_core::{Library, Material};
 
-use super::{Answer, Office, guarded, picture::Picture};
+use super::{Answer, Map, Office, guarded, picture::Picture};
 
 /// Side of a thumbnail in pixels: 44 points on a dense display.
 const SIZE: usize = 88;
@@ -18,7 +18,11 @@ pub(super) fn run(office: &Office, files: &mpsc::Receiver<PathBuf>) {
     for path in files {
         if is_map(&path) {
             match guarded("Reading the map", || Environment::load(&path).map_err(|error| error.to_string())) {
-                Ok(Ok(environment)) => office.say(Answer::Surround(office.surround_with(name_of(&path), environment))),
+                Ok(Ok(environment)) => {
+                    let (names, place) =
+                        office.surround_with(Map { name: name_of(&path), file: Some(path), environment });
+                    office.say(Answer::Surround(names, place));
+                }
                 Ok(Err(why)) | Err(why) => office.say(Answer::Notice(why)),
             }
             continue;

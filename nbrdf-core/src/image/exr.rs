@@ -17,6 +17,10 @@ use exr::{
 use super::{Image, ImageError, read::ImageReadProblem, read::check_size};
 use crate::{Rgb, atomic};
 
+/// Channels read at most; renderers' files hold a few dozen.
+const MAX_CHANNELS: usize = 64;
+/// Channels named in an error.
+const NAMED: usize = 8;
 /// What files start with.
 pub(super) const SIGNATURE: [u8; 4] = magic_number::BYTES;
 
@@ -68,17 +72,24 @@ pub(super) fn read(from: impl Read + Seek) -> Result<Image, ImageReadProblem> {
     Ok(read.map_err(problem)?.layer_data.channel_data.pixels)
 }
 
+/// Refuses layers without R, G, B of full size, and more channels than any picture of ours has a use for: the decoder
+/// takes memory for all of them.
 fn check_channels(layers: &[Header]) -> Result<(), ImageReadProblem> {
     let full = |layer: &Header, name: &str| {
         layer.channels.list.iter().any(|channel| channel.name.eq(name) && channel.sampling == Vec2(1, 1))
     };
     if let [layer] = layers
+        && layer.channels.list.len() <= MAX_CHANNELS
         && ["R", "G", "B"].iter().all(|name| full(layer, name))
     {
         return Ok(());
     }
     let channels = layers.iter().flat_map(|layer| &layer.channels.list).map(|channel| channel.name.to_string());
-    let names: Vec<String> = channels.take(8).collect();
+    let mut names: Vec<String> = channels.take(NAMED + 1).collect();
+    if names.len() > NAMED {
+        let all: usize = layers.iter().map(|layer| layer.channels.list.len()).sum();
+        names[NAMED] = format!("... ({all} channels)");
+    }
     let layers = if let [_] = layers { "1 layer".to_owned() } else { format!("{} layers", layers.len()) };
     Err(ImageReadProblem::Channels { found: format!("{layers} with {}", names.join(", ")) })
 }

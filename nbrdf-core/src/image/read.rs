@@ -53,7 +53,7 @@ pub enum ImageReadProblem {
     },
     /// An OpenEXR file that holds other things than one picture in red, green and blue.
     #[error(
-        "expected one layer with the channels R, G and B at full resolution, found {found}: export it again as such"
+        "expected one layer with the channels R, G and B at full resolution and at most 64 channels, found {found}: export it again as such"
     )]
     Channels {
         /// Layers and channels in the file.

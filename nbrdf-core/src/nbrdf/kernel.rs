@@ -174,8 +174,12 @@ impl WithSimd for Prepare<'_> {
 
 /// Pairs of directions as network inputs.
 pub(crate) fn blocks(at: &[Directions]) -> Vec<Block> {
+    blocks_with(InstructionSet::fastest(), at)
+}
+
+fn blocks_with(set: InstructionSet, at: &[Directions]) -> Vec<Block> {
     let mut blocks = vec![Block::EMPTY; at.len().div_ceil(LANES)];
-    InstructionSet::fastest().run(Prepare { at, blocks: &mut blocks });
+    set.run(Prepare { at, blocks: &mut blocks });
     blocks
 }
 

@@ -23,12 +23,15 @@ use region::Region;
 const TRIED: usize = 2048;
 /// Regions looked at per network.
 const BUDGET: usize = 40_000;
-/// A unit that is undecided on a region of less than this radius \[rad\] comes so close to firing that it stays.
+/// A unit that is undecided on a region whose decisive half width is less \[rad\] comes so close to firing that it stays.
 const SMALLEST: f64 = 2e-3;
-/// How far computed network inputs may be from those of exact unit vectors: rounding, and lengths within 10⁻⁶ of 1.
+/// How far computed network inputs may be from those of *some* region's exact unit vectors: rounding, and lengths within
+/// 10⁻⁶ of 1. Which ones does not matter: near opposite light and view that is far from well-conditioned.
 const INPUT_ERROR: f64 = 2e-6;
 /// Rounding of one f32 operation, relative.
 const UNIT_ROUNDOFF: f64 = 6e-8;
+/// Well within the range of f32.
+const LARGEST: f64 = 1e37;
 
 impl Nbrdf {
     /// The same network, evaluated without inputs and units that never matter: bit for bit the same values for unit
@@ -84,16 +87,16 @@ fn prove(network: &Nbrdf, mut candidates: [Vec<usize>; 2]) -> [Vec<usize>; 2] {
             continue;
         }
         let bounded = bounds.of(&region, &units);
-        let gives_up = region.radius() < SMALLEST;
         let mut left = [Vec::new(), Vec::new()];
         let mut reach = [0.0; 3];
         for layer in 0..2 {
             for (&unit, bound) in units[layer].iter().zip(&bounded[layer]) {
-                let may_fire = bound.upper() > 0.0;
+                // Also where the bound is not a number: the weights are too large to tell.
+                let is_silent = bound.upper() <= 0.0;
                 let fires = bound.centre > 0.0 && region.centre_is_valid();
-                if fires || (may_fire && gives_up) {
+                if fires {
                     candidates[layer].retain(|&candidate| candidate != unit);
-                } else if may_fire {
+                } else if !is_silent {
                     left[layer].push(unit);
                     (0..3).for_each(|angle| reach[angle] += bound.reach_along(angle));
                 }
@@ -101,7 +104,13 @@ fn prove(network: &Nbrdf, mut candidates: [Vec<usize>; 2]) -> [Vec<usize>; 2] {
         }
         if left.iter().any(|units| !units.is_empty()) {
             let widest = (0..3).max_by(|&a, &b| reach[a].total_cmp(&reach[b])).unwrap_or(0);
-            queue.extend(region.halves(widest).map(|half| (half, left.clone())));
+            if region.half_width(widest) < SMALLEST {
+                for (left, candidates) in left.iter().zip(&mut candidates) {
+                    candidates.retain(|unit| !left.contains(unit));
+                }
+            } else {
+                queue.extend(region.halves(widest).map(|half| (half, left.clone())));
+            }
         }
     }
     // What is undecided somewhere is not proved.
@@ -148,7 +157,9 @@ impl Bounds {
 fn computed(weights: &[f64], inputs: &[Affine]) -> Affine {
     let (&bias, kernel) = weights.split_last().unwrap_or((&0.0, &[]));
     let size = bias.abs() + kernel.iter().zip(inputs).map(|(w, x)| w.abs() * x.largest()).sum::<f64>();
-    Affine::weighted_sum(bias, kernel, inputs).widened((inputs.len() + 1) as f64 * UNIT_ROUNDOFF * size)
+    // Sums that may leave the range of f32 have no bound.
+    let rounding = if size < LARGEST { (inputs.len() + 1) as f64 * UNIT_ROUNDOFF * size } else { f64::INFINITY };
+    Affine::weighted_sum(bias, kernel, inputs).widened(rounding)
 }
 
 #[cfg(test)]

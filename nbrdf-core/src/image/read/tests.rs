@@ -134,6 +134,14 @@ fn layers_and_channels_other_than_rgb_are_named() {
 }
 
 #[test]
+fn hundreds_of_channels_are_refused_before_memory_is_taken_for_them() {
+    let names: Vec<String> = (0..100).map(|channel| format!("x{channel}")).collect();
+    let names: Vec<&str> = ["R", "G", "B"].into_iter().chain(names.iter().map(String::as_str)).collect();
+    let many = read(&layers(&[("a", &names)])).unwrap_err().to_string();
+    assert!(many.contains("... (103 channels)"), "{many}");
+}
+
+#[test]
 fn errors_name_the_file() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("a.hdr");

@@ -3,13 +3,14 @@
 //! In f32, yet as accurate as rounding: with s = l + v and c = v × l, every component is a product or quotient of
 //! numbers of small *relative* error, so that nothing cancels near the normal, where glossy networks are steep:
 //!
-//! h = (|s_xy|, 0, s_z) / |s|, d = ((s_x c_y − s_y c_x) / (|s_xy| |s|), c_z / |s_xy|, s · l / |s|).
+//! h = (|s_xy|, 0, s_z) / |s|, d = ((s_x c_y − s_y c_x) / (|s_xy| |s|), c_z / |s_xy|, |s · l| / |s|).
 
 use pulp::Simd;
 
 use super::INPUTS;
 use crate::Directions;
 use crate::brdf::pairs::{Pairs, above, where_above};
+use crate::direction::OPPOSITE;
 use crate::simd::{LANES, Lanes};
 
 /// One block of pairs as network inputs.
@@ -45,21 +46,33 @@ impl Block {
     }
 }
 
-/// h.x, h.z, d.x, d.y, d.z; h.y is 0.
+/// h.x, h.z, d.x, d.y, d.z; h.y is 0. For vectors of lengths within 10⁻⁶ of 1, h and d are unit vectors as closely, and
+/// neither points down.
 #[inline(always)]
 pub(crate) fn half_diff<S: Simd>(simd: S, [lx, ly, lz]: [S::f32s; 3], [vx, vy, vz]: [S::f32s; 3]) -> [S::f32s; 5] {
     let mul = |a, b| simd.mul_f32s(a, b);
     let fma = |a, b, c| simd.mul_add_e_f32s(a, b, c);
-    // a b − c d with the rounding error of c d put back (W. Kahan; Jeannerod, Louvet, Muller 2013, algorithm 1).
+    // a b − c d with the rounding error of c d put back (W. Kahan; Jeannerod, Louvet, Muller 2013, algorithm 1). Single
+    // numbers have no fused multiply-add that could find that error; in f64 their products are exact.
     let difference = |a, b, c, d| {
+        if S::F32_LANES == 1 {
+            let [a, b, c, d] = [a, b, c, d].map(|v| f64::from(simd.reduce_sum_f32s(v)));
+            return simd.splat_f32s((a * b - c * d) as f32);
+        }
         let cd = mul(c, d);
         let lost = simd.negate_mul_add_e_f32s(c, d, cd);
         simd.add_f32s(fma(a, b, simd.neg_f32s(cd)), lost)
     };
     let [sx, sy, sz] = [simd.add_f32s(lx, vx), simd.add_f32s(ly, vy), simd.add_f32s(lz, vz)];
+    // So close to opposite that the sum is mostly rounding: h is taken as the normal, in the middle between them.
+    let one = simd.splat_f32s(1.0);
+    let zero = simd.splat_f32s(0.0);
+    let square = fma(sz, sz, fma(sx, sx, mul(sy, sy)));
+    let is_opposite = simd.less_than_f32s(square, simd.splat_f32s(OPPOSITE * OPPOSITE));
+    let or = |then, otherwise| simd.select_f32s(is_opposite, then, otherwise);
+    let [sx, sy, sz] = [or(zero, sx), or(zero, sy), or(one, sz)];
     let across2 = fma(sx, sx, mul(sy, sy));
     let across = simd.sqrt_f32s(across2);
-    let one = simd.splat_f32s(1.0);
     let inverse = simd.div_f32s(one, simd.sqrt_f32s(fma(sz, sz, across2)));
     let inverse_across = simd.div_f32s(one, across);
     let cx = difference(vy, lz, vz, ly);
@@ -67,7 +80,8 @@ pub(crate) fn half_diff<S: Simd>(simd: S, [lx, ly, lz]: [S::f32s; 3], [vx, vy, v
     let cz = difference(vx, ly, vy, lx);
     let dx = mul(mul(difference(sx, cy, sy, cx), inverse_across), inverse);
     let dy = mul(cz, inverse_across);
-    let dz = mul(fma(sz, lz, fma(sx, lx, mul(sy, ly))), inverse);
+    // Below 0 only where the lengths are not quite 1.
+    let dz = mul(simd.abs_f32s(fma(sz, lz, fma(sx, lx, mul(sy, ly)))), inverse);
     // At the normal the azimuth of h is taken as 0. This close to it, l and v are so close that any azimuth would do.
     let tilted = simd.greater_than_f32s(across2, simd.splat_f32s(1e-30));
     let (dx, dy) = (simd.select_f32s(tilted, dx, lx), simd.select_f32s(tilted, dy, ly));

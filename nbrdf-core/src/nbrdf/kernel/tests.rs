@@ -1,3 +1,5 @@
+use std::f32::consts::{FRAC_PI_2, PI};
+
 use super::*;
 use crate::nbrdf::fit::{generator, random_network};
 use crate::nbrdf::{MAX_HIDDEN, Nbrdf, weight_count};
@@ -88,13 +90,19 @@ fn half_and_difference_vectors_are_those_of_the_slow_function() {
     }
     at.push(Directions::new(Vec3::new(0.8, 0.0, 0.6), Vec3::new(-0.8, 0.0, 0.6)));
     at.push(Directions::from_angles(1.57, 0.3, 1.57, 3.4));
-    for (chunk, block) in at.chunks(LANES).zip(blocks(&at)) {
-        for (lane, pair) in chunk.iter().enumerate() {
-            let own = block.inputs.map(|lanes| lanes.0[lane]);
-            let slow = pair.half_diff();
-            let slow = [slow.half.to_array(), slow.diff.to_array()].concat();
-            for (own, &input) in own.iter().zip(&ORDER) {
-                assert!((own - slow[input]).abs() < 2.5e-7, "input {input}: {own} {} at {pair:?}", slow[input]);
+    for (e, turn) in [(1e-2, 0.0), (2e-3, 1e-3), (1e-3, 1e-4), (1e-4, 0.0), (1e-7, 0.0)] {
+        at.push(Directions::from_angles(FRAC_PI_2 - e, 0.3, FRAC_PI_2 - 0.5 * e, 0.3 + PI + turn));
+    }
+    for set in InstructionSet::available() {
+        for (chunk, block) in at.chunks(LANES).zip(blocks_with(set, &at)) {
+            for (lane, pair) in chunk.iter().enumerate() {
+                let own = block.inputs.map(|lanes| lanes.0[lane]);
+                let slow = pair.half_diff();
+                let slow = [slow.half.to_array(), slow.diff.to_array()].concat();
+                for (own, &input) in own.iter().zip(&ORDER) {
+                    let (name, slow) = (set.name(), slow[input]);
+                    assert!((own - slow).abs() < 3e-7, "{name}, input {input}: {own} {slow} at {pair:?}");
+                }
             }
         }
     }
@@ -104,8 +112,10 @@ fn half_and_difference_vectors_are_those_of_the_slow_function() {
 fn the_sine_of_the_half_angle_keeps_its_digits_near_the_normal() {
     for angle in [1e-2f32, 1e-4, 1e-6] {
         let at = [Directions::from_angles(0.5 + angle, 0.0, 0.5 - angle, std::f32::consts::PI)];
-        let (own, slow) = (blocks(&at)[0].inputs[0].0[0], at[0].half_diff().half.x);
-        assert!((own / slow - 1.0).abs() < 5e-7, "{own} {slow}");
+        for set in InstructionSet::available() {
+            let (own, slow) = (blocks_with(set, &at)[0].inputs[0].0[0], at[0].half_diff().half.x);
+            assert!((own / slow - 1.0).abs() < 5e-7, "{}: {own} {slow}", set.name());
+        }
     }
 }
 

@@ -5,6 +5,10 @@ use std::f64::consts::{FRAC_PI_2, PI};
 use super::affine::Affine;
 use crate::nbrdf::INPUTS;
 
+/// How far computed directions may seem to be below the horizon: the largest slant of vectors whose lengths are within
+/// 10⁻⁶ of 1 and whose sum is not shorter than `OPPOSITE` = 10⁻³, (|l|² − |v|²) / |l + v| < 4·10⁻³.
+const BELOW: f64 = 5e-3;
+
 /// Centre and half width \[rad\] along θ_half, θ_diff, φ_diff.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Region {
@@ -27,15 +31,16 @@ impl Region {
         })
     }
 
-    /// The longest half width \[rad\].
-    pub fn radius(&self) -> f64 {
-        self.half.into_iter().fold(0.0, f64::max)
+    /// Half width along an angle \[rad\].
+    pub const fn half_width(&self, angle: usize) -> f64 {
+        self.half[angle]
     }
 
-    /// Whether light and view can both be above the surface: |sin θ_h sin θ_d cos φ_d| < cos θ_h cos θ_d somewhere.
+    /// Whether light and view can both seem to be above the surface: |sin θ_h sin θ_d cos φ_d| < cos θ_h cos θ_d,
+    /// give or take, somewhere.
     pub fn is_valid_somewhere(&self) -> bool {
         let [low_h, low_d] = [0, 1].map(|axis| (self.centre[axis] - self.half[axis]).max(0.0));
-        low_h.sin() * low_d.sin() * self.smallest_cosine() < low_h.cos() * low_d.cos()
+        low_h.sin() * low_d.sin() * self.smallest_cosine() < low_h.cos() * low_d.cos() + BELOW
     }
 
     /// Whether they are at the centre.
