@@ -166,5 +166,5 @@ fn without_a_display_it_names_the_command_to_try() {
     let output = command.env_remove("DISPLAY").env_remove("WAYLAND_DISPLAY").output().unwrap();
     let said = String::from_utf8_lossy(&output.stderr);
     assert_eq!(output.status.code(), Some(1), "{said}");
-    assert!(said.contains("no display") && said.contains("nbrdf blend aluminium blue-fabric -o strip.png"), "{said}");
+    assert!(said.contains("no display") && said.contains("nbrdf blend gold-paint blue-acrylic"), "{said}");
 }

@@ -3,7 +3,7 @@
 use std::process::ExitCode;
 
 use anyhow::Result;
-use clap::{Parser, Subcommand};
+use clap::{Arg, CommandFactory as _, FromArgMatches as _, Parser, Subcommand};
 
 use crate::command::Global;
 use crate::command::{
@@ -43,7 +43,14 @@ enum Command {
 
 /// Parses the arguments and runs; the exit code says how it went.
 pub fn run() -> ExitCode {
-    let cli = Cli::parse();
+    // A negative number is a value that is out of range, not the name of a switch.
+    let with_negatives = |arg: Arg| match arg.get_action().takes_values() && !arg.is_positional() {
+        true => arg.allow_negative_numbers(true),
+        false => arg,
+    };
+    let command = Cli::command().mut_args(with_negatives);
+    let command = command.mut_subcommands(|subcommand| subcommand.mut_args(with_negatives));
+    let cli = Cli::from_arg_matches(&command.get_matches()).unwrap_or_else(|error| error.exit());
     match cli.execute() {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) => {
@@ -56,7 +63,7 @@ pub fn run() -> ExitCode {
 impl Cli {
     fn execute(&self) -> Result<()> {
         if let Some(threads) = self.global.threads {
-            rayon::ThreadPoolBuilder::new().num_threads(threads.get()).build_global()?;
+            rayon::ThreadPoolBuilder::new().num_threads(threads.into()).build_global()?;
         }
         match &self.command {
             Some(Command::List(command)) => command.run(&self.global),

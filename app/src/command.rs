@@ -28,9 +28,9 @@ pub struct Global {
     /// Seed of everything random.
     #[arg(long, global = true, value_name = "N")]
     seed: Option<u64>,
-    /// Threads to use; all cores by default.
-    #[arg(long, global = true, value_name = "N")]
-    pub threads: Option<std::num::NonZeroUsize>,
+    /// Threads to use, 1 to 1024; all cores by default.
+    #[arg(long, global = true, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
+    pub threads: Option<u16>,
     /// No progress bars, no remarks.
     #[arg(long, short, global = true)]
     pub quiet: bool,

@@ -13,6 +13,7 @@ use nbrdf_core::hash::short_hash;
 
 pub use error::TrainError;
 pub use options::{TrainOptions, TrainingData};
+pub use state::state_of;
 pub use trainer::Trainer;
 
 use crate::checkpoint::{Checkpoint, probe_tensors, save, tensors_of};
@@ -48,7 +49,7 @@ pub fn train(
     let mut trainer = Trainer::new(data, options)?;
     let fingerprint = fingerprint(data);
     let run = state::Run { options, data: &fingerprint };
-    let state = state::path(out);
+    let state = state_of(out);
     if resume && state.exists() {
         state::load(&state, run, trainer.model.as_ref(), &mut trainer.optimizer)?;
     }

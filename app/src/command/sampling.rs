@@ -111,7 +111,8 @@ fn chart(rows: &[SamplingRow]) -> LogChart {
     let median = |value: fn(&SamplingRow) -> f64| {
         let mut values: Vec<f64> = rows.iter().map(value).collect();
         values.sort_by(f64::total_cmp);
-        values[values.len() / 2]
+        let middle = values.len() / 2;
+        if values.len().is_multiple_of(2) { 0.5 * (values[middle - 1] + values[middle]) } else { values[middle] }
     };
     let series = |index: usize, name: &str, colour, mark, held_out: Option<bool>| {
         let value = COLUMNS[index].1;

@@ -106,14 +106,16 @@ fn text(summary: &Value, rows: &[Evaluation]) -> String {
         })
         .collect();
     format!(
-        "One thread, batches of 4096 directions; multiply-add peak in GFLOP/s: {}\n\n{table}\n\
-         Pruning, {} networks: {:.1} + {:.1} of 21 + 21 units can fire, {:.0} of 630 multiply-adds ({:.0} at most);\n\
+        "One thread of {}, batches of 4096 directions; multiply-add peak in GFLOP/s: {}\n\n{table}\n\
+         Pruning, {} networks ({}): {:.1} + {:.1} of 21 + 21 units can fire, {:.0} of 630 multiply-adds ({:.0} at most);\n\
          {:.2} times faster from directions, {:.2} times with half and difference vectors given\n\
          Codes: encode {:.0} us, decode {:.0} us, refine {:.0} ms; one step of a fit {:.0} us\n\
          Spheres on {} threads, three lamps: four of 256 x 256 in {:.2} ms ({:.2} ms with display bytes), \
          one of 1024 x 1024 in {:.1} ms\n",
+        summary["processor"].as_str().unwrap_or_default(),
         peaks.join(", "),
         summary["pruning"]["materials"].as_array().map_or(0, Vec::len),
+        summary["reference"].as_str().unwrap_or_default(),
         number("/pruning/live/0"),
         number("/pruning/live/1"),
         number("/pruning/multiply_adds/mean"),

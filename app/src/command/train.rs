@@ -73,6 +73,12 @@ impl Train {
         let (networks, start) = self.networks(&measured, &learns);
         let analytic = families::random_materials(global.seed(), ANALYTIC);
         let data = TrainingData { measured: &measured, analytic: &analytic, networks: &networks, start };
+        if self.resume && !autoencoder::state_of(&self.output).exists() {
+            global.warn(format_args!(
+                "no saved state at {}: starting anew",
+                autoencoder::state_of(&self.output).display()
+            ))?;
+        }
         let bar = progress::bar(options.steps as u64, "training", global.quiet);
         let mut last = None;
         let trained = train(&data, &options, &self.output, self.resume, &mut |now: Progress, model| {

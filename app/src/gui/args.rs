@@ -22,7 +22,7 @@ pub struct App {
     #[arg(long, short, value_name = "MATERIAL")]
     pub b: Option<String>,
     /// Where on the path to start, 0..1.
-    #[arg(long, value_name = "T")]
+    #[arg(long, value_parser = share, value_name = "T")]
     pub t: Option<f32>,
     /// Light to start with.
     #[arg(long, value_enum)]
@@ -89,7 +89,7 @@ impl App {
                 *end = builtin::shared().get(name)?.name.clone();
             }
         }
-        session.t = self.t.unwrap_or(session.t).clamp(0.0, 1.0);
+        session.t = self.t.unwrap_or(session.t);
         session.theme = match self.theme {
             Some(Theme::Dark) => egui::ThemePreference::Dark,
             Some(Theme::Light) => egui::ThemePreference::Light,
@@ -118,8 +118,13 @@ fn has_display() -> bool {
 fn no_display(why: &str) -> anyhow::Error {
     anyhow!(
         "there is no display to open a window on ({why}); \
-         without one, try `nbrdf blend aluminium blue-fabric -o strip.png`"
+         without one, try `nbrdf blend gold-paint blue-acrylic`"
     )
+}
+
+fn share(text: &str) -> Result<f32, String> {
+    let parsed = text.parse().ok();
+    parsed.filter(|t| (0.0..=1.0).contains(t)).ok_or_else(|| "expected a number from 0 to 1".to_owned())
 }
 
 fn size(text: &str) -> Result<[u16; 2], String> {
@@ -135,6 +140,12 @@ mod tests {
     fn sizes_are_width_x_height() {
         assert_eq!(size("1600x900"), Ok([1600, 900]));
         assert!(size("1600").is_err() && size("10x900").is_err());
+    }
+
+    #[test]
+    fn a_place_on_the_path_is_a_number_from_0_to_1() {
+        assert_eq!(share("0.25"), Ok(0.25));
+        assert!(["nan", "inf", "-0.1", "3", ""].iter().all(|text| share(text).is_err()));
     }
 
     #[test]

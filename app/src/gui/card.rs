@@ -122,7 +122,13 @@ impl CardPanel<'_> {
     }
 }
 
+/// Over the sphere, without moving what comes below it.
+fn over(ui: &mut Ui, rect: Rect) -> Ui {
+    ui.new_child(UiBuilder::new().max_rect(rect))
+}
+
 fn wait(ui: &mut Ui, rect: Rect) {
+    let ui = &mut over(ui, rect);
     let middle = Rect::from_center_size(rect.center() - vec2(0.0, 8.0), Vec2::splat(22.0));
     ui.put(middle, Spinner::new().size(22.0));
     let below = Rect::from_center_size(rect.center() + vec2(0.0, 16.0), vec2(rect.width() - 8.0, 18.0));
@@ -130,6 +136,7 @@ fn wait(ui: &mut Ui, rect: Rect) {
 }
 
 fn refuse(ui: &mut Ui, rect: Rect, why: &str) {
+    let ui = &mut over(ui, rect);
     let middle = Rect::from_center_size(rect.center(), vec2(0.75 * rect.width(), 18.0));
     let text = RichText::new("not available").small().color(ui.visuals().warn_fg_color);
     ui.put(middle, egui::Label::new(text).truncate()).on_hover_text(why);

@@ -120,7 +120,8 @@ fn direction(ui: &mut Ui, session: &mut Session) {
         ui.add(Label::new(RichText::new("drag a sphere to light it").weak()).truncate());
         return;
     };
-    let degrees = |radians: f32| radians.to_degrees().round();
+    // + 0: nobody wants to read −0.
+    let degrees = |radians: f32| radians.to_degrees().round() + 0.0;
     let (azimuth, elevation) = (degrees(direction.x.atan2(direction.z)), degrees(direction.y.clamp(-1.0, 1.0).asin()));
     let (mut new_azimuth, mut new_elevation) = (azimuth, elevation);
     ui.add(DragValue::new(&mut new_azimuth).range(-100..=100).prefix("right ").suffix("°"))

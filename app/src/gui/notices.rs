@@ -1,6 +1,6 @@
 //! What went wrong, until it is dismissed.
 
-use egui::{Align, Frame, Layout, Margin, RichText, Stroke, Ui};
+use egui::{Align, Frame, Layout, Margin, RichText, Stroke, Ui, vec2};
 
 use super::{Gallery, look};
 
@@ -21,7 +21,9 @@ impl Notices<'_> {
         let Some(newest) = self.gallery.notices.last() else { return };
         let mut is_dismissed = false;
         frame.show(ui, |ui| {
-            ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+            // One line at least; a long notice makes it grow, and a short one must not take the whole panel.
+            let line = vec2(ui.available_width(), ui.spacing().interact_size.y);
+            ui.allocate_ui_with_layout(line, Layout::right_to_left(Align::Center), |ui| {
                 is_dismissed = ui.button("Dismiss").clicked();
                 ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
                     ui.add(egui::Label::new(RichText::new(newest)).wrap());

@@ -39,7 +39,7 @@ pub fn read_code(argument: &str) -> Result<Code> {
         STDIN => std::io::stdin().lock().take(MAX_BYTES + 1).read_to_end(&mut bytes),
         path => File::open(path).and_then(|file| file.take(MAX_BYTES + 1).read_to_end(&mut bytes)),
     };
-    read.map_err(|error| invalid(error.to_string()))?;
+    read.map_err(|error| invalid(format!("found none ({error})")))?;
     if bytes.len() as u64 > MAX_BYTES {
         return Err(invalid(format!("found more than {MAX_BYTES} bytes")).into());
     }

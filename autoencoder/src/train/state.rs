@@ -29,7 +29,7 @@ pub(super) struct Run<'a> {
 }
 
 /// Where the state of a training to `out` lies.
-pub(super) fn path(out: &Path) -> PathBuf {
+pub fn state_of(out: &Path) -> PathBuf {
     let mut name = out.as_os_str().to_owned();
     name.push(".state");
     name.into()

@@ -35,6 +35,9 @@ pub(super) fn read(from: impl Read) -> Result<Image, ImageReadProblem> {
 fn problem(error: ImageError) -> ImageReadProblem {
     match error {
         ImageError::IoError(error) if error.kind() != ErrorKind::UnexpectedEof => error.into(),
+        ImageError::Unsupported(error) => {
+            ImageReadProblem::Unsupported { format: "Radiance", reason: error.to_string() }
+        }
         other => ImageReadProblem::Damaged { format: "Radiance", reason: other.to_string() },
     }
 }

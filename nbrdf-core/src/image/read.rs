@@ -59,6 +59,14 @@ pub enum ImageReadProblem {
         /// Layers and channels in the file.
         found: String,
     },
+    /// A kind of picture that exists, but is not read here.
+    #[error("expected a {format} file in red, green and blue from the top left: {reason}; convert it to that")]
+    Unsupported {
+        /// Name of the format.
+        format: &'static str,
+        /// What the decoder said.
+        reason: String,
+    },
     /// The file stops, or contradicts itself.
     #[error(
         "expected a whole {format} file, found one that is cut off or damaged ({reason}): fetch or export it again"
