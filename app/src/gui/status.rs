@@ -30,7 +30,7 @@ impl Status<'_> {
             ui.label(RichText::new(text).small().weak());
             ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
                 let about = match is_around {
-                    true => "figures: under the lights Studio and Point",
+                    true => "figures need the light Studio or Point",
                     false => "figures: against the exact linear mix of A and B",
                 };
                 ui.label(RichText::new(about).small().weak());
