@@ -120,6 +120,17 @@ def evaluation_speed(speed: dict) -> str:
     return table(["model", "given", "ns", "× `reference_loop`", "efficiency", "bytes"], rows)
 
 
+def other_machines() -> str:
+    """Earlier runs elsewhere, as recorded in docs/machines.json."""
+    head = ["processor", "set", "ns", "prepared ns", "× `reference_loop`", "efficiency, prepared", "four of 256², ms", "one of 1024², ms", "encode, decode µs", "refine ms", "commit"]
+    rows = []
+    for row in json.loads((ROOT / "docs/machines.json").read_text())["rows"]:
+        shown = lambda key: "–" if key not in row else f"{row[key]:g}"
+        codes = f"{shown('encode_us')}, {shown('decode_us')}"
+        rows.append([row["processor"], row["set"], f"{row['ns']:.2f}", f"{row['prepared_ns']:.2f}", f"{row['ratio']:.1f}", f"{row['efficiency']:.2f}", shown("four_of_256_ms"), shown("one_of_1024_ms"), codes, shown("refine_ms"), row["commit"]])
+    return table(head, rows)
+
+
 def speed_section(speed: dict, accuracy: dict, fit: dict, instructions: dict, training: dict) -> str:
     pruning, codes, spheres = speed["pruning"], speed["codes"], speed["spheres"]
     saved = pruning["materials"]
@@ -156,6 +167,11 @@ set (here, on {speed['processor']}: {peaks} GFLOP/s; `{speed['instruction_set']}
   run ({training['plain'] * 1e3:.0f} ms): `cargo bench -p autoencoder -- "training step"`. The built-in checkpoint's {training['steps']} steps took {training['seconds'] / 60:.1f} minutes.
 - **Instructions** of one frame, a code decoded and its 128² sphere under light `studio` (AVX2, one thread): {instructions['instructions_per_frame'] / 1e6:.2f} million:
   `scripts/count_instructions.sh`. A trend line without noise.
+
+The same command on other machines (recorded in `docs/machines.json`); this page's own one is a guest whose neighbours
+make it up to 1.7 × slower from one minute to the next, so that its quietest run of five is shown:
+
+{other_machines()}
 """
 
 

@@ -30,6 +30,8 @@ pub const BATCH: usize = 4096;
 pub const REPEATS: usize = 31;
 /// Floating point operations of a whole published network: a multiplication and an addition per weight.
 pub const NETWORK_FLOP: f64 = 1350.0;
+/// Runs of a turn that are counted.
+const IN_A_ROW: usize = 8;
 
 /// What a model is given to evaluate.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -83,18 +85,18 @@ impl Track {
         start.elapsed().as_secs_f64()
     }
 
-    /// The cost of every model, beside the reference loop; `repeats` runs each, in turns, after one that is not counted.
+    /// The cost of every model, beside the reference loop: medians of `repeats` runs each, in turns, so that all meet
+    /// the same weather. A turn is some runs in a row, the first of which is not counted: the models before it, tables
+    /// above all, leave cold caches.
     pub fn measure(&self, models: &[(&dyn Brdf, Given)], repeats: usize) -> Vec<Cost> {
         let reference = ReferenceLoop::new(&random_network(0, 0));
         let mut out = vec![Rgb::BLACK; BATCH];
         let mut times = vec![Vec::with_capacity(repeats); models.len() + 1];
-        for repeat in 0..=repeats {
+        for _ in 0..repeats.div_ceil(IN_A_ROW) {
             let all = std::iter::once((&reference as &dyn Brdf, Given::Directions)).chain(models.iter().copied());
             for ((brdf, given), times) in all.zip(&mut times) {
-                let time = self.run(brdf, given, &mut out);
-                if repeat > 0 {
-                    times.push(time);
-                }
+                self.run(brdf, given, &mut out);
+                times.extend((0..IN_A_ROW).map(|_| self.run(brdf, given, &mut out)));
             }
         }
         let ns: Vec<f64> = times.iter_mut().map(|times| median(times) * 1e9 / BATCH as f64).collect();
