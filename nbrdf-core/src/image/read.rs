@@ -60,7 +60,10 @@ pub enum ImageReadProblem {
         found: String,
     },
     /// A kind of picture that exists, but is not read here.
-    #[error("expected a {format} file in red, green and blue from the top left: {reason}; convert it to that")]
+    #[error(
+        "expected a {format} picture in red, green and blue from the top left, at most {MAX_WIDTH} x {MAX_HEIGHT} pixels: \
+         {reason}; convert it to that"
+    )]
     Unsupported {
         /// Name of the format.
         format: &'static str,

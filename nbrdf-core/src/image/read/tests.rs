@@ -114,7 +114,8 @@ fn sizes_are_refused_from_the_header_before_any_pixel_is_asked_for() {
     for size in ["-Y 4097 +X 8192", "-Y 1 +X 8193", "-Y 0 +X 2", "-Y 4294967295 +X 4294967295"] {
         let bytes = format!("#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n{size}\n").into_bytes();
         let problem = read(&bytes).unwrap_err();
-        assert!(matches!(problem, ImageReadProblem::Size { .. } | ImageReadProblem::Damaged { .. }), "{problem}");
+        use ImageReadProblem::{Damaged, Size, Unsupported};
+        assert!(matches!(problem, Size { .. } | Damaged { .. } | Unsupported { .. }), "{problem}");
     }
     // The data window of the file, its largest column made 2^20.
     let mut bytes = exr(&sample(), Compression::Uncompressed);
@@ -122,6 +123,14 @@ fn sizes_are_refused_from_the_header_before_any_pixel_is_asked_for() {
     bytes[window + 29..window + 33].copy_from_slice(&(1_i32 << 20).to_le_bytes());
     let problem = read(&bytes).unwrap_err();
     assert!(matches!(problem, ImageReadProblem::Size { .. }), "{problem}");
+}
+
+#[test]
+fn kinds_of_radiance_pictures_that_are_not_read_are_not_called_damaged() {
+    for header in ["FORMAT=32-bit_rle_xyze\n\n-Y 1 +X 2\n", "FORMAT=32-bit_rle_rgbe\n\n+Y 1 +X 2\n"] {
+        let problem = read(format!("#?RADIANCE\n{header}\x40\x40\x40\x40").as_bytes()).unwrap_err();
+        assert!(matches!(problem, ImageReadProblem::Unsupported { .. }), "{problem}");
+    }
 }
 
 #[test]
