@@ -41,5 +41,7 @@ for sampler in cosine lobe; do
         -o "docs/images/chrome-$sampler.png"
 done
 "$nbrdf" evaluate --json > "$out/evaluate.json"
-"$nbrdf" compare --json > "$out/compare.json"
+"$nbrdf" axes --json > "$out/axes.json"
+"$nbrdf" compare --pictures "$out/worst" --json > "$out/compare.json"
+cp "$out/worst/latent.png" docs/images/worst-latent.png
 echo "now: python3 scripts/make_results.py $out"

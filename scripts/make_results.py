@@ -77,29 +77,75 @@ def comparison(report: dict) -> str:
 
 
 def families(report: dict) -> str:
+    """Per lobe the mean of the four middles, then each of them."""
+    lobes = list(dict.fromkeys(family["lobe"] for family in report["methods"][0]["families"]))
+    trained = {family["lobe"]: family["trained"] for family in report["methods"][0]["families"]}
     body = []
     for row in report["methods"]:
-        errors = [row[f"family_{name}"] for name in FAMILIES]
-        body.append([f"`{row['name']}`", *(f"{e['middle']:.4f} ({e['best']:.4f})" for e in errors)])
-    return table(["method", *FAMILIES], body)
+        cells = []
+        for lobe in lobes:
+            errors = {family["family"]: family["middle"] for family in row["families"] if family["lobe"] == lobe}
+            cells.append(f"**{sum(errors.values()) / len(errors):.4f}** " + " ".join(f"{errors[name]:.4f}" for name in FAMILIES))
+        body.append([f"`{row['name']}`", *cells])
+    return table(["method", *(lobe if trained[lobe] else f"{lobe} (kept out)" for lobe in lobes)], body)
+
+
+def calibration(report: dict) -> str:
+    body = [
+        [
+            f"`{row['name']}` {row['variant'].replace('_', '-')}", str(row["count"]), number(row["spearman_expected"], 2),
+            number(row["spearman_distance"], 2), number(row["ratio"]["median"], 2), number(row["ratio"]["p90"], 2), number(row["ratio"]["max"], 2),
+        ]
+        for row in report["calibration"]
+    ]
+    head = ["representation", "materials", "Spearman, expected error", "Spearman, distance", "true / expected, median", "p90", "worst"]
+    return table(head, body)
+
+
+def axes(report: dict) -> str:
+    names = [row["axis"] for row in report["axes"]]
+    body = [
+        [row["axis"], f"{row['monotone']} of {row['count']}", number(row["reached"]["mean"], 2), number(row["reached"]["max"], 2)]
+        + [number(row["moved"][name], 2) for name in names]
+        for row in report["axes"]
+    ]
+    return table(["axis", "one way only", "reached, mean", "worst", *names], body)
+
+
+def seeds() -> str:
+    """Mean ± standard deviation over seeds, as recorded in docs/seeds.json."""
+    recorded = json.loads((ROOT / "docs/seeds.json").read_text())
+    body = []
+    for row in recorded["rows"]:
+        cells = [f"{row[key]['mean']:.{d}f} ± {row[key]['sd']:.{d}f}" for key, _, d in EVALUATE if key in row]
+        body.append([f"`{row['name']}` {row['variant'].replace('_', '-')}, {row['database']}", *cells])
+    head = [f"{len(recorded['seeds'])} seeds"] + [title for key, title, _ in EVALUATE if key in recorded["rows"][0]]
+    return table(head, body)
 
 
 def conclusions(evaluate: dict, compare: dict) -> str:
     """Sentences that follow from the figures, whichever way they fall."""
     rows = {(r["name"], r["variant"]): r for r in evaluate["rows"] if r["database"] == "merl"}
-    forward, refined = rows["znbrdf", "feed_forward"], rows["znbrdf", "refined"]
+    alone, forward, refined = (rows["znbrdf", variant] for variant in ("feed_forward", "unrolled", "refined"))
     projection, pca = rows["pca_tables", "projection"], rows["pca_tables", "refined"]
 
     def against(own: dict, other: dict, key: str, digits: int) -> str:
         difference = own[key]["mean"] - other[key]["mean"]
         return f"{difference:+.{digits}f}"
 
+    def ratio(own: dict, other: dict) -> str:
+        return f"{own['log_error']['mean'] / other['log_error']['mean']:.2f}"
+
+    def worst(own: dict, other: dict) -> str:
+        return f"{own['studio_psnr']['max'] - other['studio_psnr']['max']:+.1f}"
+
     out = [
-        f"- Feed-forward ZNBRDF against PCA-32's projection: log_error {against(forward, projection, 'log_error', 4)}, "
-        f"studio PSNR {against(forward, projection, 'studio_psnr', 1)} dB, SSIM {against(forward, projection, 'studio_ssim', 4)}.",
-        f"- Refined ZNBRDF against PCA-32's projection: log_error {against(refined, projection, 'log_error', 4)}, "
-        f"studio PSNR {against(refined, projection, 'studio_psnr', 1)} dB; against PCA-32's *refined* codes: "
-        f"log_error {against(refined, pca, 'log_error', 4)}, studio PSNR {against(refined, pca, 'studio_psnr', 1)} dB.",
+        f"- ZNBRDF as `encode` does it (encoder and three unrolled steps) against PCA-32's projection: log_error "
+        f"{ratio(forward, projection)} ×, studio PSNR {against(forward, projection, 'studio_psnr', 1)} dB, SSIM "
+        f"{against(forward, projection, 'studio_ssim', 4)}, worst material {worst(forward, projection)} dB.",
+        f"- The encoder alone against it: log_error {ratio(alone, projection)} ×, studio PSNR {against(alone, projection, 'studio_psnr', 1)} dB.",
+        f"- Refined ZNBRDF against PCA-32's *refined* codes: log_error {ratio(refined, pca)} ×, studio PSNR "
+        f"{against(refined, pca, 'studio_psnr', 1)} dB, SSIM {against(refined, pca, 'studio_ssim', 4)}, worst material {worst(refined, pca)} dB.",
     ]
     order = sorted(compare["methods"], key=lambda r: -r["mix_psnr"]["median"])
     out.append("- Closest to the linear mix in the middle (median PSNR): " + ", ".join(f"`{r['name']}` {r['mix_psnr']['median']:.1f}" for r in order) + ".")
@@ -122,7 +168,7 @@ def evaluation_speed(speed: dict) -> str:
 
 def other_machines() -> str:
     """Earlier runs elsewhere, as recorded in docs/machines.json."""
-    head = ["processor", "set", "ns", "prepared ns", "× `reference_loop`", "efficiency, prepared", "four of 256², ms", "one of 1024², ms", "encode, decode µs", "refine ms", "commit"]
+    head = ["processor", "set", "ns", "prepared ns", "× `reference_loop`", "efficiency, prepared", "four of 256², ms", "one of 1024², ms", "encoder, decode µs", "refine ms", "commit"]
     rows = []
     for row in json.loads((ROOT / "docs/machines.json").read_text())["rows"]:
         shown = lambda key: "–" if key not in row else f"{row[key]:g}"
@@ -157,7 +203,7 @@ set (here, on {speed['processor']}: {peaks} GFLOP/s; `{speed['instruction_set']}
 - **Pruned**: over the {len(pruning['materials'])} published networks {pruning['live'][0]:.1f} + {pruning['live'][1]:.1f} of 21 + 21 units are proved to be able to fire;
   {pruning['multiply_adds']['mean']:.0f} of 630 multiply-adds are left on average ({pruning['multiply_adds']['max']:.0f} at most), {faster(saved, 'ns'):.2f} × faster from directions and {faster(saved, 'prepared_ns'):.2f} × alone
   (the 100 of MERL: {faster(merl, 'ns'):.2f} and {faster(merl, 'prepared_ns'):.2f}), bit for bit the same. Every material: [pruning.md](pruning.md).
-- **Codes** on one core: encode {codes['encode_s'] * 1e6:.0f} µs, decode {codes['decode_s'] * 1e6:.0f} µs, refine {codes['refine_s'] * 1e3:.0f} ms.
+- **Codes** on one core: encode {codes['encode_s'] * 1e3:.0f} ms (the encoder alone {codes['encoder_s'] * 1e6:.0f} µs), decode {codes['decode_s'] * 1e6:.0f} µs, refine {codes['refine_s'] * 1e3:.0f} ms.
 - **Pictures** under three directional lights on {spheres['threads']} threads: four spheres of 256² in {spheres['four_of_256_s'] * 1e3:.1f} ms ({spheres['four_of_256_displayed_s'] * 1e3:.1f} ms with
   display bytes), one of 1024² in {spheres['one_of_1024_s'] * 1e3:.1f} ms ({1 / spheres['one_of_1024_s']:.0f} per second). From the slider to the bytes a frame of scrubbing
   allocates nothing, the app's threads no picture (`cargo test --release --test allocation`).
@@ -231,8 +277,8 @@ def main() -> int:
         print(__doc__, file=sys.stderr)
         return 2
     folder = Path(sys.argv[1])
-    names = ("evaluate", "compare", "speed", "accuracy", "fit", "instructions", "sampling")
-    evaluate, compare, speed, accuracy, fit, instructions, sampling = (json.loads((folder / f"{name}.json").read_text()) for name in names)
+    names = ("evaluate", "compare", "speed", "accuracy", "fit", "instructions", "sampling", "axes")
+    evaluate, compare, speed, accuracy, fit, instructions, sampling, axes_report = (json.loads((folder / f"{name}.json").read_text()) for name in names)
     training = training_report(folder, ROOT / "target/criterion")
     text = f"""# Results
 
@@ -243,7 +289,8 @@ Written by `scripts/make_results.py`; two commands make every figure on this pag
 
 Definitions: mean (worst) over materials; PSNR in dB; errors are against the {evaluate['reference']} networks, which stand
 for the measured tables (not at hand), so the network representation itself is the reference and no contestant.
-Codes of all representations here are 32 numbers, 128 bytes. One seed each: differences of a few percent are noise.
+Codes of all representations here are 32 numbers, 128 bytes. Of ZNBRDF the built-in checkpoint is shown, seed 0; what
+other seeds do stands below.
 
 ## In short
 
@@ -263,6 +310,30 @@ Codes of all representations here are 32 numbers, 128 bytes. One seed each: diff
 
 {spread(evaluate, "rgl")}
 
+## Other seeds
+
+Mean ± standard deviation over trainings that differ in nothing but the seed (`scripts/seeds.sh`, recorded in
+`docs/seeds.json`); held-out materials.
+
+{seeds()}
+
+## Knowing what it does not know
+
+`nbrdf encode` says which `log_error` to expect, from directions that the metric does not ask, and how far the code is
+from those of the training materials (1: the median distance between neighbours among these). Held-out materials of MERL
+and RGL together (`nbrdf evaluate`):
+
+{calibration(evaluate)}
+
+## Axes
+
+`nbrdf edit` moves one quality and holds others; here every quality of the 20 held-out MERL materials is moved by
+−{axes_report['amount']} to +{axes_report['amount']} (`nbrdf axes`). One way only: never back by more than 0.002. Reached: the share of what was
+asked. Then the mean size of what moves, relative to what was asked of the axis. Gloss is the strength of the highlight and metalness its
+share in all light, so that each has to move the other.
+
+{axes(axes_report)}
+
 ## Interpolation, {compare['pairs']} pairs of MERL materials, light `studio`
 
 Held-out and training materials together, as the pairs of the protocol prescribe. `mix_*` compare the middle with the
@@ -273,10 +344,15 @@ anywhere on the way ({compare['pairs']} at most), `_beyond` for t from −½ to 
 
 {worst_pairs(compare)}
 
-## Families with a known middle, `log_error` of the middle (of the best-matching member)
+The ten pairs on which straight latent paths are furthest from the linear mix (`nbrdf compare --pictures FOLDER` draws them
+for every method):
 
-Lambert + GGX only so far. ZNBRDF's training batches hold 15 % random Lambert + GGX materials, so the latent rows are *in
-distribution* here; the lobes that were never trained on are still to be measured.
+![Ten rows of seven spheres](images/worst-latent.png)
+
+## Families with a known middle, `log_error` of the middle
+
+Mean of the four families in bold, then roughness, colour, ior, metal. ZNBRDF's training sees random walks between
+materials with GGX-like and Blinn–Phong lobes; Beckmann and GTR of γ = 1 are kept out.
 
 {families(compare)}
 """

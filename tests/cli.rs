@@ -85,6 +85,45 @@ fn the_same_material_gives_the_same_code_and_refinement_another() {
 }
 
 #[test]
+fn an_encoding_says_what_error_to_expect_and_warns_of_what_a_code_does_not_carry() {
+    let place = Place::new();
+    let known = place.run(&["encode", "gold-paint"]).json();
+    let expected = known["expected_log_error"].as_f64().unwrap();
+    assert!(expected > 0.0 && expected < 0.015, "{expected}");
+    assert!(known["distance"].as_f64().unwrap() < 1.0, "gold-paint is a training material");
+    let foreign = place.run(&["encode", "rgl/vch_ultra_pink"]);
+    assert!(foreign.talk().contains("keep the network"));
+    assert!(foreign.json()["expected_log_error"].as_f64().unwrap() > 0.015);
+}
+
+#[test]
+fn an_edit_writes_a_code_that_is_rendered_and_refuses_what_is_no_quality() {
+    let place = Place::new();
+    let text = place.run(&["edit", "gold-paint", "roughness+0.05", "hue+0.1", "-o", "edited.json"]).text();
+    assert!(text.contains("roughness") && text.contains("distance"), "{text}");
+    let code: Value = serde_json::from_slice(&place.file("edited.json")).unwrap();
+    assert_eq!(code["material"], "gold-paint roughness+0.05 hue+0.1");
+    place.run(&["render", "edited.json", "-o", "edited.png", "--size", "32"]).text();
+    let report = place.run(&["edit", "edited.json", "gloss-0.02", "-o", "twice.json", "--json"]).json();
+    assert!(report["after"]["gloss"].as_f64().unwrap() < report["before"]["gloss"].as_f64().unwrap());
+    for wrong in ["shine+0.1", "gloss", "gloss+2"] {
+        place.run(&["edit", "gold-paint", wrong]).fails(2);
+    }
+    place.run(&["edit", "gold-paint", "gloss+0.1", "-o", "no/such/folder.json"]).fails(3);
+}
+
+#[test]
+fn a_blend_of_many_materials_follows_a_spline_and_tells_distances() {
+    let place = Place::new();
+    let arguments =
+        ["blend", "chrome", "red-fabric", "gold-paint", "--steps", "5", "--method", "latent", "--method", "linear_mix"];
+    let report = place.run(&[&arguments[..], &["--size", "32", "--json"]].concat()).json();
+    assert_eq!(report["weights"].as_array().unwrap().len(), 5);
+    assert_eq!(report["methods"][0]["distances"].as_array().unwrap().len(), 5);
+    assert!(report["methods"][1]["distances"].is_null());
+}
+
+#[test]
 fn codes_of_tables_are_rendered_but_not_written_as_networks() {
     let place = Place::new();
     place.run(&["encode", "chrome", "--with", "pca_tables", "-o", "t.json"]).ok();

@@ -2,9 +2,10 @@
 
 use std::sync::{Arc, OnceLock};
 
-use nbrdf::catalog::{Catalog, DIM, INTERPOLATIONS, REPRESENTATIONS, Reference, metrics};
+use nbrdf::catalog::{Catalog, DIM, INTERPOLATIONS, REPRESENTATIONS, Reference, Variant, metrics};
 use nbrdf_core::library::builtin;
-use nbrdf_core::metric::log_error;
+use nbrdf_core::metric::Metric as _;
+use nbrdf_core::metric::{RelativeLog, log_error};
 use nbrdf_core::path::PathError;
 use nbrdf_core::representation::DecodeError;
 use nbrdf_core::sampling::{evaluate, rus32k};
@@ -56,6 +57,26 @@ fn codes_have_the_promised_length_name_and_checkpoint_and_are_the_same_each_time
         assert!(code.code.iter().all(|v| v.is_finite()), "{name}");
         assert_eq!(representation.encode(&material("chrome")).unwrap(), code, "{name}");
     }
+}
+
+#[test]
+fn every_step_towards_the_target_comes_closer_to_it() {
+    let znbrdf = |variant: Variant| {
+        let mut entries = REPRESENTATIONS.iter().filter(|entry| entry.name == "znbrdf" && entry.variant == variant);
+        entries.next().unwrap().build(catalog()).unwrap()
+    };
+    let mean = |variant: Variant| -> f64 {
+        let representation = znbrdf(variant);
+        let held_out = ["aluminium", "blue-fabric", "chrome", "pink-plastic", "rgl/satin_white"].map(material);
+        let one = |material: &Material| {
+            let decoded = representation.decode(&representation.encode(material).unwrap()).unwrap();
+            RelativeLog.distance(material.brdf.as_ref(), decoded.as_ref())
+        };
+        held_out.iter().map(one).sum::<f64>() / held_out.len() as f64
+    };
+    let [alone, unrolled, refined] = [Variant::FeedForward, Variant::Unrolled, Variant::Refined].map(mean);
+    println!("relative_log: encoder alone {alone:.4}, unrolled {unrolled:.4}, refined {refined:.4}");
+    assert!(unrolled < 0.9 * alone && refined < unrolled, "{alone} {unrolled} {refined}");
 }
 
 #[test]
@@ -223,7 +244,7 @@ fn training_interrupted_and_resumed_writes_the_same_bytes() {
 
     let measured = ["chrome", "blue-fabric"].map(material);
     let networks: Vec<_> = measured.iter().filter_map(|material| material.network.clone()).collect();
-    let data = TrainingData { measured: &measured, analytic: &[], networks: &networks, start: None };
+    let data = TrainingData { measured: &measured, analytic: &[], walks: &[], networks: &networks, start: None };
     let options = TrainOptions { steps: 110, analytic_share: 0.0, ..TrainOptions::new(Architecture::Znbrdf) };
     let folder = tempfile::tempdir().unwrap();
     let [straight, broken] = ["straight.safetensors", "broken.safetensors"].map(|name| folder.path().join(name));

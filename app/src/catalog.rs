@@ -11,7 +11,10 @@ use std::sync::Arc;
 
 use anyhow::Result;
 use nbrdf_core::metric::{LogError, Metric, RelativeLog, Rendered};
+use nbrdf_core::path::bounded::Bounded;
 use nbrdf_core::path::code_path::CodeInterpolation;
+use nbrdf_core::path::even::Even;
+use nbrdf_core::path::geodesic::Geodesic;
 use nbrdf_core::path::mix::Mix;
 use nbrdf_core::path::nearest_end::NearestEnd;
 use nbrdf_core::path::weight_path::WeightInterpolation;
@@ -29,8 +32,10 @@ pub const DIM: usize = 32;
 /// How a representation makes its codes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Variant {
-    /// By its encoder, at once.
+    /// By one pass of its encoder.
     FeedForward,
+    /// By its encoder and a few fixed steps against the target: still at once, a part of encoding.
+    Unrolled,
     /// By projection onto a linear basis.
     Projection,
     /// By either, then a few steps against the target itself.
@@ -42,6 +47,7 @@ impl Variant {
     pub const fn name(self) -> &'static str {
         match self {
             Self::FeedForward => "feed_forward",
+            Self::Unrolled => "unrolled",
             Self::Projection => "projection",
             Self::Refined => "refined",
         }
@@ -76,15 +82,21 @@ pub struct InterpolationEntry {
 pub const REPRESENTATIONS: &[RepresentationEntry] = &[
     RepresentationEntry {
         name: "znbrdf",
-        variant: Variant::FeedForward,
-        about: "ZNBRDF: probe encoder, colour channels treated alike",
+        variant: Variant::Unrolled,
+        about: "ZNBRDF: probe encoder and three steps, colour channels treated alike",
         build: |catalog| Ok(catalog.znbrdf()),
+    },
+    RepresentationEntry {
+        name: "znbrdf",
+        variant: Variant::FeedForward,
+        about: "ZNBRDF's probe encoder alone",
+        build: |catalog| Ok(catalog.autoencoder()),
     },
     RepresentationEntry {
         name: "znbrdf",
         variant: Variant::Refined,
         about: "ZNBRDF, its code refined against the target",
-        build: |catalog| Ok(Arc::new(Refined(catalog.znbrdf()))),
+        build: |catalog| Ok(Arc::new(Refined::new(catalog.autoencoder()))),
     },
     RepresentationEntry {
         name: "published_autoencoder",
@@ -102,7 +114,7 @@ pub const REPRESENTATIONS: &[RepresentationEntry] = &[
         name: "pca_tables",
         variant: Variant::Refined,
         about: "PCA of log tables, its code refined against the target",
-        build: |catalog| Ok(Arc::new(Refined(catalog.pca_tables()?))),
+        build: |catalog| Ok(Arc::new(Refined::new(catalog.pca_tables()?))),
     },
     RepresentationEntry {
         name: "pca_weights",
@@ -118,15 +130,43 @@ pub const INTERPOLATIONS: &[InterpolationEntry] = &[
         name: "latent",
         title: "Latent",
         about: "straight between ZNBRDF codes",
-        build: |catalog| Ok(Box::new(CodeInterpolation::new("latent", catalog.znbrdf()))),
+        build: |catalog| Ok(bounded(CodeInterpolation::new("latent", catalog.znbrdf()))),
     },
     InterpolationEntry {
         name: "latent_refined",
         title: "Latent, refined",
         about: "straight between refined ZNBRDF codes",
         build: |catalog| {
-            let refined = Arc::new(Refined(catalog.znbrdf()));
-            Ok(Box::new(CodeInterpolation::new("latent_refined", refined)))
+            let refined = Arc::new(Refined::new(catalog.autoencoder()));
+            Ok(bounded(CodeInterpolation::new("latent_refined", refined)))
+        },
+    },
+    InterpolationEntry {
+        name: "latent_even",
+        title: "Latent, even",
+        about: "the latent path, every step the same ΔE_ITP",
+        build: |catalog| {
+            let straight = CodeInterpolation::new("latent", catalog.znbrdf());
+            Ok(bounded(Even::new("latent_even", Box::new(straight))))
+        },
+    },
+    InterpolationEntry {
+        name: "latent_geodesic",
+        title: "Latent, shortest",
+        about: "the shortest way between ZNBRDF codes in ΔE_ITP, no colour between that is in neither end",
+        build: |catalog| {
+            let shortest = Geodesic::new("latent_geodesic", catalog.znbrdf());
+            Ok(bounded(Even::new("latent_geodesic", Box::new(shortest))))
+        },
+    },
+    InterpolationEntry {
+        name: "latent_refined_geodesic",
+        title: "Latent, refined, shortest",
+        about: "the shortest way between refined ZNBRDF codes",
+        build: |catalog| {
+            let refined = Arc::new(Refined::new(catalog.autoencoder()));
+            let shortest = Geodesic::new("latent_refined_geodesic", refined);
+            Ok(bounded(Even::new("latent_refined_geodesic", Box::new(shortest))))
         },
     },
     InterpolationEntry {
@@ -184,6 +224,11 @@ pub const INTERPOLATIONS: &[InterpolationEntry] = &[
         build: |_| Ok(Box::new(NearestEnd)),
     },
 ];
+
+/// No light from nothing beyond the ends.
+fn bounded(inner: impl Interpolation + 'static) -> Box<dyn Interpolation> {
+    Box::new(Bounded::new(Box::new(inner)))
+}
 
 /// Every metric, in the order of reports.
 pub fn metrics() -> Vec<Box<dyn Metric>> {

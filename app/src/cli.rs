@@ -7,8 +7,9 @@ use clap::{Arg, CommandFactory as _, FromArgMatches as _, Parser, Subcommand};
 
 use crate::command::Global;
 use crate::command::{
-    blend::Blend, compare::Compare, completions::Completions, decode::Decode, encode::Encode, evaluate::Evaluate,
-    import::Import, info::Info, list::List, render::Render, sampling::Sampling, speed::Speed, train::Train,
+    axes::Axes, blend::Blend, compare::Compare, completions::Completions, decode::Decode, edit::Edit, encode::Encode,
+    evaluate::Evaluate, import::Import, info::Info, list::List, render::Render, sampling::Sampling, speed::Speed,
+    train::Train,
 };
 use crate::failure::exit_code;
 
@@ -33,9 +34,11 @@ enum Command {
     Encode(Encode),
     Decode(Decode),
     Blend(Blend),
+    Edit(Edit),
     Render(Render),
     Evaluate(Evaluate),
     Compare(Compare),
+    Axes(Axes),
     Sampling(Sampling),
     Speed(Speed),
     Completions(Completions),
@@ -77,6 +80,8 @@ impl Cli {
             Some(Command::Encode(command)) => command.run(&self.global),
             Some(Command::Decode(command)) => command.run(&self.global),
             Some(Command::Blend(command)) => command.run(&self.global),
+            Some(Command::Edit(command)) => command.run(&self.global),
+            Some(Command::Axes(command)) => command.run(&self.global),
             Some(Command::Render(command)) => command.run(&self.global),
             Some(Command::Completions(command)) => command.run(),
             #[cfg(feature = "gui")]

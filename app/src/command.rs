@@ -1,9 +1,11 @@
 //! The subcommands, one file each.
 
+pub mod axes;
 pub mod blend;
 pub mod compare;
 pub mod completions;
 pub mod decode;
+pub mod edit;
 pub mod encode;
 pub mod evaluate;
 pub mod import;

@@ -1,9 +1,12 @@
 //! Measuring: how close decoded materials come, and how good paths between materials are.
 
+pub mod calibration;
 pub mod families;
 pub mod path_quality;
 pub mod sampling;
 pub mod speed;
 mod target;
+mod trust;
 
 pub use target::{Target, higher_is_better};
+pub use trust::{CARRIED, Trust};

@@ -4,6 +4,7 @@ use std::cell::Cell;
 use std::path::Path;
 use std::sync::{Arc, OnceLock};
 
+use nbrdf_core::axis::Prior;
 use nbrdf_core::nbrdf::{PUBLISHED_HIDDEN, PUBLISHED_WEIGHTS};
 use nbrdf_core::representation::pca_weights::network_of;
 use nbrdf_core::representation::{DecodeError, EncodeError, Linearized, check_numbers};
@@ -13,6 +14,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::checkpoint::{Checkpoint, CheckpointError, invalid};
 use crate::inference::{self, Inference};
+use crate::known::Known;
 use crate::lobe::LobeNetwork;
 use crate::model::DIM;
 use crate::probe::Probes;
@@ -45,6 +47,7 @@ pub struct Autoencoder {
     architecture: Architecture,
     inference: Box<dyn Inference>,
     lobe: Option<LobeNetwork>,
+    known: Option<Known>,
     probes: Probes,
     parameters: usize,
     hash: String,
@@ -88,6 +91,7 @@ impl Autoencoder {
         if architecture == Architecture::Znbrdf {
             file.check_probes()?;
             restored.lobe = Some(LobeNetwork::new(file)?);
+            restored.known = Some(Known::new(file)?);
         }
         Ok(restored)
     }
@@ -98,6 +102,7 @@ impl Autoencoder {
             architecture,
             inference: inference::build(architecture, file)?,
             lobe: None,
+            known: None,
             probes: Probes::new(),
             parameters: file.parameters(),
             hash: file.hash.clone(),
@@ -126,6 +131,22 @@ impl Autoencoder {
     pub fn lobe(&self, code: &Code) -> Result<Option<Lobe>, DecodeError> {
         let numbers = code.checked(self.name(), &self.hash, DIM)?;
         Ok(self.lobe.as_ref().map(|network| network.predict(numbers)))
+    }
+
+    /// Distance of a code to that of the nearest training material, whatever its colours; 1 is how far training
+    /// materials are from each other (median of nearest neighbours). None in an architecture that remembers none,
+    /// or of a code that is another model's.
+    pub fn distance(&self, code: &Code) -> Result<Option<f64>, DecodeError> {
+        if (code.model.as_str(), code.checkpoint.as_str()) != (self.name(), self.hash.as_str()) {
+            return Ok(None);
+        }
+        let numbers = self.checked(&code.code)?;
+        Ok(self.known.as_ref().map(|known| known.distance(numbers)))
+    }
+
+    /// How the codes of training materials are spread; none in an architecture that remembers none.
+    pub fn prior(&self) -> Option<Prior> {
+        self.known.as_ref().map(Known::prior)
     }
 
     fn checked<'a>(&self, numbers: &'a [f32]) -> Result<&'a [f32], DecodeError> {

@@ -1,31 +1,48 @@
 //! Batches for training: materials, mixed and recoloured at random, and what their decoded networks are compared with.
 
+mod change;
 mod spheres;
 
+use change::Change;
 pub(crate) use spheres::Spheres;
 
 use std::sync::Arc;
 
+use nbrdf_core::nbrdf::corridor::Corridor;
 use nbrdf_core::nbrdf::fit::generator;
 use nbrdf_core::nbrdf::objective::features as objective_features;
 use nbrdf_core::nbrdf::samples::{SampleCounts, Samples};
-use nbrdf_core::{Brdf, Material, Rgb};
+use nbrdf_core::{Brdf, Rgb};
 use rand::{Rng, RngExt};
 use rayon::prelude::*;
 
-use crate::loss::Target;
+use crate::loss::{Target, Wanted};
 use crate::probe::Probes;
+use crate::train::{TrainingData, Walk};
 
 /// Materials per step.
 pub(crate) const BATCH: usize = 32;
 /// Sets of sampled directions, drawn once.
 const SETS: usize = 96;
 
+/// Walks per step between random analytic materials, whose in-between is known.
+const WALKS: usize = 6;
+/// Walks per step between measured materials, on which the mean colour must stay between those of the ends.
+const COLOUR_WALKS: usize = 8;
+/// How much an in-between material counts, against a material itself.
+const WALK_WEIGHT: f32 = 1.0;
+/// Weight of a distance in u′v′.
+const COLOUR_WEIGHT: f32 = 1.5;
+/// Sets of directions that in-between materials are known at.
+const WALK_SETS: usize = 24;
+
 /// One step's inputs and targets.
 pub(crate) struct Batch {
-    /// Encoder inputs, row after row.
+    /// Encoder inputs, row after row: materials, then the starts of all walks, then their ends.
     pub input: Vec<f32>,
-    /// One target per row.
+    /// How far along each walk its mixed code lies, 0..1.
+    pub places: Vec<f32>,
+    /// One target per material, then one per walk.
     pub targets: Vec<Target>,
 }
 
@@ -43,6 +60,7 @@ pub(crate) struct Pool {
     measured: usize,
     /// Share of a batch taken from the analytic materials.
     analytic_share: f32,
+    walks: Vec<EvaluatedWalk>,
 }
 
 struct Evaluated {
@@ -51,22 +69,39 @@ struct Evaluated {
     sets: Vec<Vec<Rgb>>,
 }
 
+struct EvaluatedWalk {
+    /// Encoder inputs.
+    ends: [Vec<f32>; 2],
+    place: f32,
+    /// Features wanted, one list for each of the first sets.
+    between: Vec<Vec<f32>>,
+}
+
 impl Pool {
-    /// Evaluates `measured` and `analytic` materials.
-    pub fn new(measured: &[Material], analytic: &[Arc<dyn Brdf>], analytic_share: f32, seed: u64) -> Self {
+    /// Evaluates `measured` and `analytic` materials, and walks.
+    pub fn new(data: &TrainingData, analytic_share: f32, seed: u64) -> Self {
         let sets: Vec<_> = (0..SETS as u64)
             .map(|set| Arc::new(Samples::random(&mut generator(seed, 1_000 + set), SampleCounts::STEP)))
             .collect();
         let probes = Probes::new();
-        let measured_brdfs = measured.iter().map(|material| &material.brdf);
-        let brdfs: Vec<&Arc<dyn Brdf>> = measured_brdfs.chain(analytic).collect();
+        let measured_brdfs = data.measured.iter().map(|material| &material.brdf);
+        let brdfs: Vec<&Arc<dyn Brdf>> = measured_brdfs.chain(data.analytic).collect();
         let log = |values: Vec<Rgb>| values.into_iter().map(|f| f.map(f32::ln_1p)).collect();
         let evaluate = |brdf: &&Arc<dyn Brdf>| Evaluated {
             probes: log(probes.probe(brdf.as_ref())),
             sets: sets.iter().map(|set| log(set.values(brdf.as_ref()))).collect(),
         };
         let materials = brdfs.par_iter().map(evaluate).collect();
-        Self { sets, probes, materials, measured: measured.len(), analytic_share }
+        let known = |walk: &Walk| EvaluatedWalk {
+            ends: walk.ends.each_ref().map(|end| probes.features(&probes.probe(end.as_ref()))),
+            place: walk.t,
+            between: sets[..WALK_SETS]
+                .iter()
+                .map(|set| objective_features(set, &set.values(walk.between.as_ref())))
+                .collect(),
+        };
+        let walks = data.walks.par_iter().map(known).collect();
+        Self { sets, probes, materials, measured: data.measured.len(), analytic_share, walks }
     }
 
     fn row(&self, rng: &mut impl Rng) -> (Vec<f32>, Target) {
@@ -82,57 +117,59 @@ impl Pool {
         let target = change.apply(&a.sets[set], &b.sets[set]);
         let samples = Arc::clone(&self.sets[set]);
         let input = self.probes.features(&change.apply(&a.probes, &b.probes));
-        let wanted = objective_features(&samples, &target);
-        (input, Target { samples, features: wanted })
+        let wanted = Wanted::Features(objective_features(&samples, &target));
+        (input, Target { samples, wanted, weight: 1.0 })
     }
+
+    /// A walk between analytic materials.
+    fn walk(&self, rng: &mut impl Rng) -> Row {
+        let walk = &self.walks[rng.random_range(0..self.walks.len())];
+        let set = rng.random_range(0..WALK_SETS);
+        let wanted = Wanted::Features(walk.between[set].clone());
+        let target = Target { samples: Arc::clone(&self.sets[set]), wanted, weight: WALK_WEIGHT };
+        Row { ends: walk.ends.clone(), place: walk.place, target }
+    }
+
+    /// A walk between measured materials.
+    fn colour_walk(&self, rng: &mut impl Rng) -> Row {
+        let ends = [(); 2].map(|()| &self.materials[rng.random_range(0..self.measured)]);
+        let set = rng.random_range(0..self.sets.len());
+        let linear = |values: &[Rgb]| -> Vec<Rgb> { values.iter().map(|y| y.map(f32::exp_m1)).collect() };
+        let values = ends.map(|end| linear(&end.sets[set]));
+        let samples = Arc::clone(&self.sets[set]);
+        let wanted = Wanted::Between(Corridor::between(&samples, values.each_ref().map(Vec::as_slice)));
+        let ends = ends.map(|end| self.probes.features(&linear(&end.probes)));
+        Row { ends, place: rng.random_range(0.2..0.8), target: Target { samples, wanted, weight: COLOUR_WEIGHT } }
+    }
+}
+
+/// A walk of a batch.
+struct Row {
+    ends: [Vec<f32>; 2],
+    place: f32,
+    target: Target,
 }
 
 impl Batches for Pool {
     fn batch(&self, seed: u64, step: usize) -> Batch {
-        let row = |row: usize| self.row(&mut generator(seed, (1 << 32) + (step * BATCH + row) as u64));
-        let (inputs, targets): (Vec<_>, Vec<_>) = (0..BATCH).into_par_iter().map(row).unzip();
-        Batch { input: inputs.concat(), targets }
-    }
-}
-
-/// A random change that keeps a material a material: a blend with another one, mixed and scaled channels.
-struct Change {
-    blend: f32,
-    /// Rows: how much of each old channel a new channel takes.
-    channels: [[f32; 3]; 3],
-    scale: [f32; 3],
-}
-
-impl Change {
-    fn random(rng: &mut impl Rng) -> Self {
-        let blend = if rng.random_range(0.0..1.0) < 0.5 { rng.random_range(0.0..1.0f32) } else { 0.0 };
-        let mut channels = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
-        if rng.random_range(0.0..1.0) < 0.3 {
-            let keep: f32 = rng.random_range(0.0..1.0);
-            for (own, row) in channels.iter_mut().enumerate() {
-                let other: [f32; 3] = std::array::from_fn(|_| rng.random_range(0.01..1.0f32));
-                let sum: f32 = other.iter().sum();
-                *row = std::array::from_fn(|c| keep * f32::from(u8::from(c == own)) + (1.0 - keep) * other[c] / sum);
-            }
-        }
-        let mut scale = [1.0; 3];
-        if rng.random_range(0.0..1.0) < 0.5 {
-            let common: f32 = rng.random_range(-0.5..0.3);
-            scale = std::array::from_fn(|_| (common + rng.random_range(-0.4..0.4f32)).exp());
-        }
-        Self { blend, channels, scale }
-    }
-
-    /// From y = ln(1 + f) of two materials to f of the changed one.
-    fn apply(&self, a: &[Rgb], b: &[Rgb]) -> Vec<Rgb> {
-        let one = |(a, b): (&Rgb, &Rgb)| {
-            let y = a.zip(*b, |a, b| a + self.blend * (b - a));
-            let channel = |c: usize| {
-                let [r, g, b] = self.channels[c];
-                self.scale[c] * (r * y[0] + g * y[1] + b * y[2]).exp_m1()
-            };
-            Rgb(std::array::from_fn(channel))
+        let walks = if self.walks.is_empty() { 0 } else { WALKS };
+        let rows = BATCH + walks + COLOUR_WALKS;
+        let rng = |row: usize| generator(seed, (1 << 32) + (step * rows + row) as u64);
+        let materials = (0..BATCH).into_par_iter().map(|row| self.row(&mut rng(row)));
+        let (mut inputs, mut targets): (Vec<_>, Vec<_>) = materials.unzip();
+        let walk = |row: usize| match row < walks {
+            true => self.walk(&mut rng(BATCH + row)),
+            false => self.colour_walk(&mut rng(BATCH + row)),
         };
-        a.iter().zip(b).map(one).collect()
+        let walked: Vec<Row> = (0..walks + COLOUR_WALKS).into_par_iter().map(walk).collect();
+        let places = walked.iter().map(|row| row.place).collect();
+        let mut ends = Vec::with_capacity(walked.len());
+        for Row { ends: [start, end], target, .. } in walked {
+            inputs.push(start);
+            ends.push(end);
+            targets.push(target);
+        }
+        inputs.extend(ends);
+        Batch { input: inputs.concat(), places, targets }
     }
 }

@@ -7,6 +7,7 @@ mod autoencoder;
 mod checkpoint;
 mod dataset;
 mod inference;
+mod known;
 mod layer;
 mod lobe;
 mod loss;
@@ -19,7 +20,7 @@ mod train;
 
 pub use autoencoder::{Architecture, Autoencoder};
 pub use checkpoint::CheckpointError;
-pub use train::{Progress, TrainError, TrainOptions, Trainer, TrainingData, state_of, train};
+pub use train::{Progress, TrainError, TrainOptions, Trainer, TrainingData, Walk, state_of, train};
 
 /// A lock that outlives a panic elsewhere: what it guards is overwritten before it is read.
 pub(crate) fn locked<T>(mutex: &std::sync::Mutex<T>) -> std::sync::MutexGuard<'_, T> {

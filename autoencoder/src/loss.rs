@@ -6,6 +6,7 @@ use std::sync::{Arc, Mutex};
 
 use candle_core::{CpuStorage, CustomOp1, Layout, Result, Shape, Tensor};
 use nbrdf_core::Rgb;
+use nbrdf_core::nbrdf::corridor::Corridor;
 use nbrdf_core::nbrdf::gradient::Backpropagation;
 use nbrdf_core::nbrdf::objective::{Objective, features_into, pull_back};
 use nbrdf_core::nbrdf::samples::Samples;
@@ -16,8 +17,18 @@ use rayon::prelude::*;
 #[derive(Clone)]
 pub(crate) struct Target {
     pub samples: Arc<Samples>,
-    /// Features of the wanted reflectance on those samples.
-    pub features: Vec<f32>,
+    pub wanted: Wanted,
+    /// How much it counts.
+    pub weight: f32,
+}
+
+/// What is asked of a decoded network.
+#[derive(Clone)]
+pub(crate) enum Wanted {
+    /// To be this reflectance: its features on the samples.
+    Features(Vec<f32>),
+    /// To have a mean colour between two others.
+    Between(Corridor),
 }
 
 struct DecodedLoss {
@@ -34,17 +45,24 @@ pub(crate) fn decoded_loss(weights: &Tensor, objective: Objective, targets: Vec<
 
 impl DecodedLoss {
     fn row(&self, weights: &[f32], target: &Target, gradient: &mut [f32]) -> f32 {
-        let Target { samples, features: wanted } = target;
+        let Target { samples, wanted, weight } = target;
         let mut network = Backpropagation::new(PUBLISHED_HIDDEN);
         let mut values = vec![Rgb::BLACK; samples.at.len()];
-        let (mut own, mut by_feature) = (vec![0.0; wanted.len()], vec![0.0; wanted.len()]);
+        let mut by_value = values.clone();
         network.forward(weights, &samples.at, &mut values);
-        features_into(samples, &values, &mut own);
-        let loss = self.objective.loss(samples, &own, wanted, &mut by_feature);
-        let mut by_value = vec![Rgb::BLACK; values.len()];
-        pull_back(samples, &values, &own, &by_feature, &mut by_value);
+        let loss = match wanted {
+            Wanted::Features(wanted) => {
+                let (mut own, mut by_feature) = (vec![0.0; wanted.len()], vec![0.0; wanted.len()]);
+                features_into(samples, &values, &mut own);
+                let loss = self.objective.loss(samples, &own, wanted, &mut by_feature);
+                pull_back(samples, &values, &own, &by_feature, &mut by_value);
+                loss
+            }
+            Wanted::Between(corridor) => corridor.loss(samples, &values, &mut by_value),
+        };
+        by_value.iter_mut().for_each(|slope| *slope = *slope * *weight);
         network.backward(weights, &samples.at, &by_value, gradient);
-        loss as f32
+        loss as f32 * weight
     }
 }
 
@@ -112,7 +130,8 @@ mod tests {
             }
             let cosines = Tensor::from_slice(&samples.factors, (count, 1), &Device::Cpu)?;
             let own = (x.broadcast_mul(&cosines)? + 1.0)?.log()?;
-            let wanted = Tensor::from_slice(&target.features, (count, 3), &Device::Cpu)?;
+            let Wanted::Features(features) = &target.wanted else { candle_core::bail!("features are compared here") };
+            let wanted = Tensor::from_slice(features, (count, 3), &Device::Cpu)?;
             rows.push((own - wanted)?.abs()?.mean_all()?);
         }
         Tensor::stack(&rows, 0)
@@ -126,7 +145,7 @@ mod tests {
         let target = |i: u64| {
             let samples = Arc::new(Samples::random(&mut generator(i, 5), counts));
             let features = features(&samples, &samples.values(&random_network(10, i)));
-            Target { samples, features }
+            Target { samples, wanted: Wanted::Features(features), weight: 1.0 }
         };
         let targets: Vec<Target> = (0..3).map(target).collect();
         let objective = Objective { log: 1.0, relative: 0.0, display: 0.0, squared: false };

@@ -12,15 +12,15 @@ use candle_core::{Device, Tensor};
 use nbrdf_core::hash::short_hash;
 
 pub use error::TrainError;
-pub use options::{TrainOptions, TrainingData};
+pub use options::{TrainOptions, TrainingData, Walk};
 pub use state::state_of;
 pub use trainer::Trainer;
 
 use crate::checkpoint::{Checkpoint, probe_tensors, save, tensors_of};
-use crate::lobe;
 use crate::model::Model;
 use crate::probe::{PROBES, Probes};
 use crate::{Architecture, Autoencoder};
+use crate::{known, lobe};
 
 /// Steps between saved states.
 const SAVE_EVERY: usize = 1000;
@@ -81,7 +81,9 @@ pub fn train(
 fn fingerprint(data: &TrainingData) -> String {
     let probes = Probes::new();
     let measured = data.measured.iter().map(|material| &material.brdf);
-    let values = measured.chain(data.analytic).flat_map(|brdf| probes.probe(brdf.as_ref())).flat_map(|f| f.0);
+    let walked = data.walks.iter().flat_map(|walk| walk.ends.iter().chain([&walk.between]));
+    let values =
+        measured.chain(data.analytic).chain(walked).flat_map(|brdf| probes.probe(brdf.as_ref())).flat_map(|f| f.0);
     let networks = data.networks.iter().chain(data.start).flat_map(|network| network.weights().iter().copied());
     short_hash(values.chain(networks))
 }
@@ -91,6 +93,7 @@ fn write(data: &TrainingData, options: &TrainOptions, model: &dyn Model, out: &P
     let mut tensors = tensors_of(model);
     if options.architecture == Architecture::Znbrdf {
         let trained = Autoencoder::of(options.architecture, &Checkpoint::of(model)?)?;
+        tensors.push(known::learn(&trained, data.measured)?);
         tensors.extend(lobe::learn(&trained, data.measured, options.seed)?);
         let (probes, cosines) = probe_tensors();
         tensors.push(("probes".into(), Tensor::from_vec(probes, (PROBES, 6), &Device::Cpu)?));

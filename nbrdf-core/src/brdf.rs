@@ -2,6 +2,7 @@
 
 pub mod ggx;
 pub mod lambert;
+pub mod lobed;
 pub mod microfacet;
 pub(crate) mod pairs;
 mod prepared;

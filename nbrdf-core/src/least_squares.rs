@@ -108,7 +108,7 @@ fn normal_equations(jacobian: &[Vec<f32>], residual: &[f32], weights: &[f32]) ->
 }
 
 /// (JᵀWJ + damping · (diagonal + a little of its mean))⁻¹ JᵀWr.
-fn damped_step(normal: &Mat<f64>, slope: &[f64], damping: f64) -> Option<Vec<f64>> {
+pub(crate) fn damped_step(normal: &Mat<f64>, slope: &[f64], damping: f64) -> Option<Vec<f64>> {
     let n = slope.len();
     let mean = (0..n).map(|i| normal[(i, i)]).sum::<f64>() / n as f64;
     let damped = Mat::from_fn(n, n, |i, j| {

@@ -28,6 +28,7 @@
 
 pub mod adam;
 pub mod atomic;
+pub mod axis;
 pub mod brdf;
 pub mod color;
 pub mod cost;
@@ -43,6 +44,7 @@ pub mod material;
 pub mod metric;
 pub mod nbrdf;
 pub mod path;
+pub mod quality;
 pub mod render;
 pub mod representation;
 pub mod sampler;

@@ -17,15 +17,17 @@ mod smoothness;
 mod spread;
 mod ssim;
 
-pub use delta_e_itp::{ItpImage, delta_e_itp, delta_e_itp_map};
+pub use delta_e_itp::{ItpImage, delta_e_itp, delta_e_itp_map, itp_and_slopes};
 pub use flip::{flip, flip_map};
 pub use image_errors::{ImageErrors, ImageMetric, image_errors};
-pub use log_error::{LogError, log_error};
+pub use log_error::{LogError, log_error, log_error_estimate};
 pub use physics::{Physics, albedo_max, directional_albedo, negative_share, reciprocity};
 pub use psnr::{PSNR_CAP, mae, psnr, rmse};
 pub use relative_log::{RelativeLog, relative_log};
 pub use rendered::Rendered;
-pub use smoothness::{Smoothness, distance_from_segment, hue_excursion, mean_chromaticity};
+pub use smoothness::{
+    Smoothness, chromaticity_and_slopes, detour, distance_from_segment, hue_excursion, mean_chromaticity,
+};
 pub use spread::Spread;
 pub use ssim::ssim;
 

@@ -4,6 +4,7 @@
 //! doi 10.1111/cgf.14335, section 3: f = exp(W₃ relu(W₂ relu(W₁ (h, d) + b₁) + b₂) + b₃) − 1, 6-21-21-3.
 //! Differs from the paper: the result is clamped at 0 on evaluation, y is capped so that `exp` stays finite.
 
+pub mod corridor;
 pub mod file;
 pub mod fit;
 pub mod gradient;

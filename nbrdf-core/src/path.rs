@@ -1,6 +1,9 @@
 //! Ways to walk between materials.
 
+pub mod bounded;
 pub mod code_path;
+pub mod even;
+pub mod geodesic;
 pub mod mix;
 pub mod nearest_end;
 pub mod weight_path;
@@ -11,7 +14,7 @@ use std::cell::Cell;
 pub use weights::{Weights, WeightsError};
 
 use crate::representation::{DecodeError, EncodeError};
-use crate::{Brdf, Material};
+use crate::{Brdf, Code, Material};
 
 /// A way to walk between materials; the costly part happens once, in `between`.
 ///
@@ -29,6 +32,11 @@ pub trait Interpolation: Send + Sync {
 pub trait Path: Send + Sync {
     /// The material at these barycentric weights, one per end.
     fn at(&self, weights: &Weights) -> Result<Box<dyn Brdf>, PathError>;
+
+    /// The code that [`at`](Self::at) decodes, where the path walks through codes.
+    fn code(&self, _weights: &Weights) -> Result<Option<Code>, PathError> {
+        Ok(None)
+    }
 
     /// As [`at`](Self::at), in place of an earlier point: paths through networks allocate nothing. On an error `point`
     /// stays as it was.
@@ -55,6 +63,9 @@ pub enum PathError {
         /// Weights given.
         weights: usize,
     },
+    /// Weights that add up to nothing.
+    #[error(transparent)]
+    NotWeights(#[from] WeightsError),
     /// An end has no code.
     #[error(transparent)]
     Encode(#[from] EncodeError),

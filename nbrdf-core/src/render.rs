@@ -111,6 +111,29 @@ impl Sphere {
     }
 }
 
+/// The covered pixels of a sphere as sums over pairs, for those who need more than a picture.
+pub(crate) struct Lit {
+    /// Lit pairs of each covered pixel.
+    pub lamps: Vec<usize>,
+    /// E cos θ_i of each pair.
+    pub weights: Vec<Rgb>,
+}
+
+impl Lit {
+    /// The pairs in the order of the pixels, and what they are weighted with.
+    pub fn new(size: usize, light: &Light) -> (Prepared, Self) {
+        let (mut lamps, mut at, mut weights) = (Vec::new(), Vec::new(), Vec::new());
+        for pixel in 0..size * size {
+            if let Some(normal) = normal(size, pixel % size, pixel / size) {
+                let before = at.len();
+                light_up(normal, light, &mut at, &mut weights);
+                lamps.push(at.len() - before);
+            }
+        }
+        (Prepared::new(at), Self { lamps, weights })
+    }
+}
+
 thread_local! {
     /// Each thread's reflectances of one row.
     static VALUES: Cell<Vec<Rgb>> = const { Cell::new(Vec::new()) };

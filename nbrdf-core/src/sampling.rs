@@ -8,7 +8,7 @@ use std::{
 use glam::DVec3;
 use rayon::prelude::*;
 
-use crate::{Brdf, Directions, Rgb};
+use crate::{Brdf, Directions, Rgb, Rusinkiewicz};
 
 /// Candidates of [`rus32k`], before those below a horizon are dropped.
 pub const RUS32K_CANDIDATES: u32 = 32_768;
@@ -43,6 +43,20 @@ fn rus32k_candidate(k: u32) -> Option<Directions> {
     (light.z > 0.0 && view.z > 0.0).then(|| Directions::new(light.as_vec3(), view.as_vec3()))
 }
 
+/// Pairs of the sequence of [`rus32k`], begun elsewhere: none of them is one of the metrics'.
+pub(crate) fn even_directions() -> impl Iterator<Item = Directions> {
+    let place = |k: u32, power: f64| (0.25 + f64::from(k) / power).fract() as f32;
+    let points = (0..).map(move |k| [G, G * G, G * G * G].map(|power| place(k, power)));
+    points.map(half_difference).filter(|at| at.is_above())
+}
+
+/// The pair at these shares of the ranges of θ_half, θ_diff, φ_diff.
+pub(crate) fn half_difference([half, diff, around]: [f32; 3]) -> Directions {
+    let [half, diff, around] =
+        [(half, FRAC_PI_2), (diff, FRAC_PI_2), (around, TAU)].map(|(share, range)| share * range as f32);
+    Rusinkiewicz { theta_half: half, theta_diff: diff, phi_diff: around, phi_half: 0.0 }.directions()
+}
+
 /// Pairs of directions that share a viewer, and what each counts in an integral over light directions.
 #[derive(Clone, Debug)]
 pub struct Quadrature {
@@ -57,21 +71,26 @@ pub struct Quadrature {
 /// Rings around the mirror direction, dense where highlights are: at 80° a lobe of α = 0.1 falls between the
 /// points of a uniform or cosine-mapped set of this size (7 % error), and is resolved here (below 0.1 %).
 pub fn around_mirror(theta_o: f32) -> Quadrature {
+    rings_and_spokes(theta_o, RINGS, SPOKES)
+}
+
+/// As [`around_mirror`], of so many rings and so many directions per ring.
+pub(crate) fn rings_and_spokes(theta_o: f32, rings: u32, spokes: u32) -> Quadrature {
     let (sin_o, cos_o) = f64::from(theta_o).sin_cos();
     let view = DVec3::new(sin_o, 0.0, cos_o).as_vec3();
     let (mirror, tangent) = (DVec3::new(-sin_o, 0.0, cos_o), DVec3::new(cos_o, 0.0, sin_o));
-    let spokes: Vec<DVec3> = (0..SPOKES)
+    let around: Vec<DVec3> = (0..spokes)
         .map(|k| {
-            let (sin, cos) = ((f64::from(k) + 0.5) / f64::from(SPOKES) * TAU).sin_cos();
+            let (sin, cos) = ((f64::from(k) + 0.5) / f64::from(spokes) * TAU).sin_cos();
             tangent * cos + DVec3::Y * sin
         })
         .collect();
     let mut found = Quadrature { at: Vec::new(), weights: Vec::new() };
-    for ring in 0..RINGS {
+    for ring in 0..rings {
         // ψ = π u²: the ring's angle from the mirror direction; dω = sin ψ dψ dχ, less the constant factors.
-        let u = (f64::from(ring) + 0.5) / f64::from(RINGS);
+        let u = (f64::from(ring) + 0.5) / f64::from(rings);
         let (sin, cos) = (PI * u * u).sin_cos();
-        for &spoke in &spokes {
+        for &spoke in &around {
             let light = mirror * cos + spoke * sin;
             let at = Directions::new(light.as_vec3(), view);
             if at.is_above() {

@@ -8,7 +8,7 @@ from typing import Any
 from .invalid import InvalidFile
 
 KEYS = ("log_error", "studio_psnr")
-VARIANTS = ("feed_forward", "refined")
+VARIANTS = ("feed_forward", "unrolled", "refined")
 REMEDY = "nbrdf evaluate --per-material --json > evaluate.json"
 
 

@@ -8,6 +8,7 @@ use autoencoder::{Architecture, Autoencoder};
 use nbrdf_core::library::builtin;
 use nbrdf_core::representation::pca_tables::PcaTables;
 use nbrdf_core::representation::pca_weights::PcaWeights;
+use nbrdf_core::representation::refined::Refined;
 use nbrdf_core::{Database, Interpolation, Material, Split};
 
 use super::twin::{WithNetwork, independent_network, shared_start_network};
@@ -68,7 +69,7 @@ impl Catalog {
     }
 
     pub(super) fn znbrdf(&self) -> Shared {
-        self.autoencoder()
+        Arc::new(Refined::briefly(self.autoencoder()))
     }
 
     /// ZNBRDF itself, which knows more than a representation does.

@@ -28,7 +28,8 @@ pub struct Blend {
     /// Places on the path: 0 is the first of two materials, 1 the second; for more materials one weight each (1,1,2).
     #[arg(long, num_args = 1.., value_name = "W", allow_negative_numbers = true)]
     at: Vec<String>,
-    /// Number of even steps between two materials; 7 unless told otherwise.
+    /// Number of even steps; 7 between two materials unless told otherwise. Through more materials, in order, steps
+    /// follow a smooth curve (a spline).
     #[arg(long, value_name = "N", conflicts_with = "at", value_parser = clap::value_parser!(u16).range(2..=64))]
     steps: Option<u16>,
     /// Method to walk by; may be given again; all of them unless told otherwise.
@@ -53,7 +54,15 @@ pub struct Blend {
 /// What became of one method.
 struct Walk {
     entry: &'static InterpolationEntry,
-    result: Result<(Vec<Image>, f64)>,
+    result: Result<Walked>,
+}
+
+/// The points of a walk.
+struct Walked {
+    spheres: Vec<Image>,
+    albedo: f64,
+    /// Distance of every point's code to known materials; none where the path walks through no codes of ZNBRDF.
+    distances: Option<Vec<f64>>,
 }
 
 impl Blend {
@@ -64,7 +73,7 @@ impl Blend {
         output::check(&self.output, &output::PICTURES)?;
         let shelf = self.sources.open()?;
         let ends = self.ends(&shelf)?;
-        if let Some(beyond) = samples.iter().find(|sample| sample.is_beyond()) {
+        if let Some(beyond) = samples.iter().find(|sample| sample.is_beyond) {
             global.warn(format_args!("{} lies beyond the materials: results may not be physical", beyond.label))?;
         }
         let limit = ends.iter().map(|end| albedo_max(end.brdf.as_ref())).fold(1.0, f64::max);
@@ -107,9 +116,10 @@ impl Blend {
         let bar = progress::bar(methods.len() as u64, "walking", global.quiet);
         let walks = methods.iter().map(|&entry| {
             bar.set_message(entry.name);
-            let result = points(entry, catalog, ends, samples).map(|points| {
-                let albedo = points.iter().map(|brdf| albedo_max(brdf.as_ref())).fold(0.0, f64::max);
-                (points.iter().map(|brdf| painter.draw(brdf.as_ref())).collect(), albedo)
+            let result = points(entry, catalog, ends, samples).map(|(points, distances)| Walked {
+                albedo: points.iter().map(|brdf| albedo_max(brdf.as_ref())).fold(0.0, f64::max),
+                spheres: points.iter().map(|brdf| painter.draw(brdf.as_ref())).collect(),
+                distances,
             });
             bar.inc(1);
             Walk { entry, result }
@@ -124,8 +134,8 @@ impl Blend {
         let separator = if names.len() == 2 { " to " } else { ", " };
         let exposure = if self.exposure == 0.0 { String::new() } else { format!(", {:+} stops", self.exposure) };
         let row = |walk: &Walk| {
-            let (spheres, _) = walk.result.as_ref().ok()?;
-            Some(Row { title: walk.entry.title.into(), name: walk.entry.name.into(), spheres: spheres.clone() })
+            let spheres = walk.result.as_ref().ok()?.spheres.clone();
+            Some(Row { title: walk.entry.title.into(), name: walk.entry.name.into(), spheres })
         };
         let strip = Strip {
             heading: names.join(separator),
@@ -139,7 +149,9 @@ impl Blend {
 
     fn json(&self, ends: &[Material], samples: &[Sample], walks: &[Walk]) -> Value {
         let method = |walk: &Walk| match &walk.result {
-            Ok((_, albedo)) => json!({"name": walk.entry.name, "albedo_max": albedo}),
+            Ok(walked) => {
+                json!({"name": walk.entry.name, "albedo_max": walked.albedo, "distances": walked.distances})
+            }
             Err(error) => json!({"name": walk.entry.name, "failed": format!("{error:#}")}),
         };
         json!({
@@ -185,9 +197,15 @@ fn points(
     catalog: &Catalog,
     ends: &[Material],
     samples: &[Sample],
-) -> Result<Vec<Box<dyn Brdf>>> {
+) -> Result<(Vec<Box<dyn Brdf>>, Option<Vec<f64>>)> {
     let path = entry.build(catalog)?.between(ends)?;
-    samples.iter().map(|sample| Ok(path.at(&sample.weights)?)).collect()
+    let known = catalog.autoencoder();
+    let distance = |sample: &Sample| match path.code(&sample.weights)? {
+        Some(code) => Ok(known.distance(&code)?),
+        None => Ok(None),
+    };
+    let points = samples.iter().map(|sample| Ok(path.at(&sample.weights)?)).collect::<Result<_>>()?;
+    Ok((points, samples.iter().map(distance).collect::<Result<Option<_>>>()?))
 }
 
 /// Failures one by one; energy in one line, and only where the method is worse than the materials themselves.
@@ -196,7 +214,9 @@ fn warn_of_methods(walks: &[Walk], limit: f64, global: &Global) -> Result<()> {
     for walk in walks {
         match &walk.result {
             Err(error) => global.warn(format_args!("{}: {error:#}", walk.entry.name))?,
-            Ok((_, albedo)) if *albedo > limit + 1e-3 => bright.push(format!("{} ({albedo:.2})", walk.entry.name)),
+            Ok(Walked { albedo, .. }) if *albedo > limit + 1e-3 => {
+                bright.push(format!("{} ({albedo:.2})", walk.entry.name));
+            }
             Ok(_) => {}
         }
     }

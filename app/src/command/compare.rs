@@ -1,10 +1,12 @@
 //! `nbrdf compare`: how good the ways between materials are, over the standard pairs and the families.
 
+mod worst;
+
 use std::collections::BTreeMap;
 use std::path::PathBuf;
 use std::sync::Arc;
 
-use anyhow::{Result, bail};
+use anyhow::{Context, Result, bail};
 use clap::Args;
 use nbrdf_core::metric::Spread;
 use nbrdf_core::{Database, Interpolation, Material};
@@ -14,7 +16,7 @@ use serde_json::{Map, Value, json};
 use super::Global;
 use crate::catalog::{Catalog, INTERPOLATIONS, Reference};
 use crate::failure::Failure;
-use crate::measure::families::{FAMILIES, FittedFamily};
+use crate::measure::families::{FittedFamily, LOBES};
 use crate::measure::higher_is_better;
 use crate::measure::path_quality::path_quality;
 use crate::report::table::Table;
@@ -41,6 +43,19 @@ pub struct Compare {
     /// Leave out the families of analytic materials.
     #[arg(long)]
     no_families: bool,
+    /// Folder for pictures of the ten worst pairs of each method.
+    #[arg(long, value_name = "FOLDER")]
+    pictures: Option<PathBuf>,
+    /// What the worst pairs are worst by.
+    #[arg(long, value_name = "KEY", default_value = "mix_psnr", requires = "pictures",
+        value_parser = ["mix_psnr", "mix_ssim", "mix_rmse", "length_ratio", "step_ratio", "hue_excursion"])]
+    worst_by: String,
+}
+
+/// The figures of one pair.
+struct Measured {
+    pair: String,
+    figures: BTreeMap<&'static str, f64>,
 }
 
 impl Compare {
@@ -51,6 +66,9 @@ impl Compare {
         if let Some(path) = &self.checkpoint {
             catalog = catalog.with_checkpoint(path)?;
         }
+        if let Some(folder) = &self.pictures {
+            std::fs::create_dir_all(folder).with_context(|| format!("{}: cannot be made", folder.display()))?;
+        }
         let names: Vec<&str> = match self.methods.as_slice() {
             [] => INTERPOLATIONS.iter().map(|entry| entry.name).collect(),
             chosen => chosen.iter().map(String::as_str).collect(),
@@ -59,7 +77,7 @@ impl Compare {
         let pairs = self.pairs(&reference)?;
         let families: Vec<FittedFamily> = match self.no_families {
             true => Vec::new(),
-            false => FAMILIES.par_iter().map(|family| FittedFamily::fit(family, global.seed())).collect(),
+            false => FittedFamily::all().into_par_iter().map(|pair| FittedFamily::fit(pair, global.seed())).collect(),
         };
         let bar = progress::bar((pairs.len() * methods.len()) as u64, "comparing", global.quiet);
         let mut rows = Vec::new();
@@ -71,9 +89,13 @@ impl Compare {
                 }
                 let figures = path_quality(method.as_ref(), ends)?;
                 bar.inc(1);
-                Ok((format!("{} > {}", ends[0].name, ends[1].name), figures))
+                Ok(Measured { pair: format!("{} > {}", ends[0].name, ends[1].name), figures })
             };
             let measured = pairs.par_iter().map(one).collect::<Result<Vec<_>>>()?;
+            if let Some(folder) = &self.pictures {
+                let title = Catalog::interpolation_entry(method.name())?.title;
+                worst::draw(folder, method.as_ref(), title, &pairs, &measured, &self.worst_by)?;
+            }
             rows.push(row(method.as_ref(), &measured, &families)?);
         }
         bar.finish_and_clear();
@@ -99,26 +121,27 @@ impl Compare {
     }
 }
 
-type Figures = BTreeMap<&'static str, f64>;
-
-fn row(method: &dyn Interpolation, measured: &[(String, Figures)], families: &[FittedFamily]) -> Result<Value> {
+fn row(method: &dyn Interpolation, measured: &[Measured], families: &[FittedFamily]) -> Result<Value> {
     let mut row = Map::new();
     row.insert("name".into(), method.name().into());
-    let keys: Vec<&str> = measured.first().map(|(_, figures)| figures.keys().copied().collect()).unwrap_or_default();
+    let keys: Vec<&str> = measured.first().map(|first| first.figures.keys().copied().collect()).unwrap_or_default();
     for key in keys {
-        let values = || measured.iter().map(|(name, figures)| (name.as_str(), figures[key]));
+        let values = || measured.iter().map(|one| (one.pair.as_str(), one.figures[key]));
         row.insert(key.into(), json!(Spread::new(values(), higher_is_better(key))));
         if let Some(suffix) = key.strip_prefix("albedo_max") {
             let violations = values().filter(|(_, albedo)| albedo.is_nan() || *albedo > 1.0).count();
             row.insert(format!("energy_violations{suffix}"), violations.into());
         }
     }
-    for fitted in families {
+    let family = |fitted: &FittedFamily| {
         let error = fitted.middle_error(method)?;
-        row.insert(
-            format!("family_{}", fitted.family.name),
-            json!({"lobe": "ggx", "middle": error.truth, "best": error.best}),
-        );
+        Ok(json!({
+            "family": fitted.family.name, "lobe": fitted.lobe.name, "trained": fitted.lobe.trained,
+            "middle": error.truth, "best": error.best,
+        }))
+    };
+    if !families.is_empty() {
+        row.insert("families".into(), families.par_iter().map(family).collect::<Result<Vec<Value>>>()?.into());
     }
     Ok(Value::Object(row))
 }
@@ -142,10 +165,9 @@ fn text(reference: &str, pairs: usize, rows: &[Value]) -> String {
         "" | "max" => (*title).to_owned(),
         part => format!("{title} ({part})"),
     }));
-    let families: Vec<&str> = FAMILIES.iter().map(|family| family.name).collect();
-    let with_families = rows.first().is_some_and(|row| !row["family_roughness"].is_null());
+    let with_families = rows.first().is_some_and(|row| !row["families"].is_null());
     if with_families {
-        head.extend(families.iter().map(|name| format!("{name} middle")));
+        head.extend(LOBES.iter().map(|lobe| format!("{} middles{}", lobe.name, if lobe.trained { "" } else { "*" })));
     }
     let mut table = Table::new(head);
     for row in rows {
@@ -155,10 +177,21 @@ fn text(reference: &str, pairs: usize, rows: &[Value]) -> String {
             part => report::figure(row[*key][part].as_f64().unwrap_or(f64::NAN)),
         }));
         if with_families {
-            let middle = |name: &&str| row[format!("family_{name}")]["middle"].as_f64().unwrap_or(f64::NAN);
-            cells.extend(families.iter().map(|name| report::figure(middle(name))));
+            cells.extend(LOBES.iter().map(|lobe| report::figure(middle_of_lobe(row, lobe.name))));
         }
         table.push(cells);
     }
-    format!("{pairs} pairs of MERL materials, light: studio, reference: {reference}\n\n{table}")
+    let note = if with_families { "\n* kept out of training; middles: mean of four families\n" } else { "" };
+    format!("{pairs} pairs of MERL materials, light: studio, reference: {reference}\n\n{table}{note}")
+}
+
+/// Mean error of the middles of the families with this lobe.
+fn middle_of_lobe(row: &Value, lobe: &str) -> f64 {
+    let families = row["families"].as_array().map(Vec::as_slice).unwrap_or_default();
+    let errors: Vec<f64> = families
+        .iter()
+        .filter(|family| family["lobe"] == lobe)
+        .filter_map(|family| family["middle"].as_f64())
+        .collect();
+    errors.iter().sum::<f64>() / errors.len().max(1) as f64
 }

@@ -8,6 +8,7 @@ use nbrdf_core::{Code, atomic};
 
 use super::Global;
 use crate::material::Sources;
+use crate::measure::Trust;
 use crate::{output, report};
 
 /// Turns a material into a code, written as JSON.
@@ -40,7 +41,17 @@ impl Encode {
         let item = shelf.material(&self.material)?;
         let representation = shelf.catalog.representation(&self.representation, self.refine)?;
         let code = representation.encode(&item.material)?;
-        let code = Code { material: Some(item.material.name), ..code };
+        let known = shelf.catalog.autoencoder();
+        let trust = Trust::of(representation.as_ref(), &known, &item.material, &code)?;
+        if let Some(advice) = trust.advice(&item.material.name) {
+            global.warn(format_args!("{advice}"))?;
+        }
+        let code = Code {
+            material: Some(item.material.name),
+            expected_log_error: Some(trust.expected_log_error),
+            distance: trust.distance,
+            ..code
+        };
         let json = serde_json::to_string(&code)? + "\n";
         if let Some(path) = output {
             atomic::write(path, json.as_bytes()).with_context(|| format!("{}: cannot be written", path.display()))?;

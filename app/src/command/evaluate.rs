@@ -15,7 +15,8 @@ use serde_json::{Map, Value, json};
 
 use super::Global;
 use crate::catalog::{Catalog, REPRESENTATIONS, Reference, RepresentationEntry};
-use crate::measure::{Target, higher_is_better};
+use crate::measure::calibration::{Calibration, Judged};
+use crate::measure::{Target, Trust, higher_is_better};
 use crate::report::table::Table;
 use crate::{progress, report};
 
@@ -46,6 +47,18 @@ struct Measured {
     figures: BTreeMap<String, f64>,
 }
 
+impl Measured {
+    fn judged(&self) -> Judged {
+        let figure = |key: &str| self.figures.get(key).copied();
+        Judged {
+            material: self.name.clone(),
+            expected: figure("expected_log_error").unwrap_or(f64::NAN),
+            distance: figure("distance"),
+            truth: figure("log_error").unwrap_or(f64::NAN),
+        }
+    }
+}
+
 impl Evaluate {
     /// Runs the command.
     pub fn run(&self, global: &Global) -> Result<()> {
@@ -71,10 +84,12 @@ impl Evaluate {
         let total: usize = sets.iter().map(|(_, materials)| materials.len()).sum();
         let bar = progress::bar((total * entries.len()) as u64, "evaluating", global.quiet);
         let mut rows = Vec::new();
+        let known = catalog.autoencoder();
+        let mut judged: Vec<Vec<Judged>> = entries.iter().map(|_| Vec::new()).collect();
         let track = Track::new(global.seed());
         for (database, materials) in &sets {
             let targets: Vec<Target> = materials.par_iter().map(|m| Target::new(m.brdf.as_ref())).collect();
-            for entry in &entries {
+            for (entry, judged) in entries.iter().zip(&mut judged) {
                 let representation = entry.build(&catalog)?;
                 // One after the other: side by side, their times would tell of each other.
                 let encode = |material: &&Material| {
@@ -90,9 +105,13 @@ impl Evaluate {
                 let one = |((material, target), (code, encode_s)): ((&&Material, &Target), &(Code, f64))| {
                     let mut figures = target.figures(representation.decode(code)?.as_ref());
                     figures.insert("encode_s".to_owned(), *encode_s);
+                    let trust = Trust::of(representation.as_ref(), &known, material, code)?;
+                    figures.insert("expected_log_error".to_owned(), trust.expected_log_error);
+                    figures.extend(trust.distance.map(|distance| ("distance".to_owned(), distance)));
                     Ok(Measured { name: material.name.clone(), code: code.code.clone(), figures })
                 };
                 let measured = materials.par_iter().zip(&targets).zip(&codes).map(one).collect::<Result<Vec<_>>>()?;
+                judged.extend(measured.iter().map(Measured::judged));
                 let decoded: Vec<_> =
                     codes.iter().map(|(code, _)| representation.decode(code)).collect::<Result<_, _>>()?;
                 let asked: Vec<_> = decoded.iter().map(|brdf| (brdf.as_ref(), Given::Directions)).collect();
@@ -108,9 +127,12 @@ impl Evaluate {
             }
         }
         bar.finish_and_clear();
+        let calibration = entries.iter().zip(&judged);
+        let calibration: Vec<Calibration> =
+            calibration.map(|(entry, judged)| Calibration::of(entry.name, entry.variant.name(), judged)).collect();
         let rows_text = rows.clone();
         let out = json!({
-            "schema": 1, "reference": reference.kind, "split": split, "rows": rows,
+            "schema": 1, "reference": reference.kind, "split": split, "rows": rows, "calibration": calibration,
             "note": "reference values come from networks, not from measured tables",
         });
         report::print(global, &out, || text(&reference.kind, split, &rows_text))

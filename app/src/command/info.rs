@@ -1,6 +1,7 @@
 //! `nbrdf info`: what is known about one material.
 
 use anyhow::Result;
+use autoencoder::Autoencoder;
 use clap::Args;
 use nbrdf_core::metric::{ImageMetric, Metric, Physics, Rendered, directional_albedo, log_error};
 use nbrdf_core::nbrdf::Live;
@@ -31,6 +32,7 @@ struct Known {
     checkpoint: String,
     log_error: f64,
     studio_psnr: f64,
+    distance: Option<f64>,
 }
 
 impl Info {
@@ -40,7 +42,7 @@ impl Info {
         let item = shelf.material_or_code(&self.material)?;
         let physics = Physics::of(item.material.brdf.as_ref());
         let znbrdf = shelf.catalog.representation("znbrdf", false)?;
-        let known = Known::of(&item.material, znbrdf.as_ref())?;
+        let known = Known::of(&item.material, znbrdf.as_ref(), &shelf.catalog.autoencoder())?;
         let live = item.material.network.as_ref().map(|network| (network.live(), Live::all(network.hidden())));
         let lobe = Lobe::fit(item.material.brdf.as_ref());
         let albedo: Vec<_> = ANGLES.map(|angle| (angle, albedo(&item.material, angle))).to_vec();
@@ -59,6 +61,7 @@ impl Info {
             "reciprocity": physics.reciprocity,
             "znbrdf": {
                 "checkpoint": known.checkpoint, "log_error": known.log_error, "studio_psnr": known.studio_psnr,
+                "distance": known.distance,
             },
         });
         global.check_energy(&item.material.name, physics.albedo_max)?;
@@ -67,12 +70,18 @@ impl Info {
 }
 
 impl Known {
-    fn of(material: &Material, model: &dyn Representation) -> Result<Self> {
-        let decoded = model.decode(&model.encode(material)?)?;
+    fn of(material: &Material, model: &dyn Representation, autoencoder: &Autoencoder) -> Result<Self> {
+        let code = model.encode(material)?;
+        let decoded = model.decode(&code)?;
         let values = |brdf| evaluate(brdf, rus32k());
         let log_error = log_error(rus32k(), &values(material.brdf.as_ref()), &values(decoded.as_ref()));
         let studio_psnr = Rendered::studio(ImageMetric::Psnr).distance(material.brdf.as_ref(), decoded.as_ref());
-        Ok(Self { checkpoint: model.checkpoint().to_owned(), log_error, studio_psnr })
+        Ok(Self {
+            checkpoint: model.checkpoint().to_owned(),
+            log_error,
+            studio_psnr,
+            distance: autoencoder.distance(&code)?,
+        })
     }
 }
 
@@ -129,6 +138,10 @@ impl Text<'_> {
         line("reciprocity", format!("{:.4}  0 is reciprocal", physics.reciprocity));
         line("negative_share", format!("{:.4}  below 0 before the clamp", physics.negative_share));
         line("after its code", format!("log_error {:.4}, studio_psnr {:.1} dB", known.log_error, known.studio_psnr));
+        if let Some(distance) = known.distance {
+            let verdict = if distance > 2.0 { "far from all that training saw" } else { "near what training saw" };
+            line("code's distance", format!("{distance:.2}  {verdict}; 1 is how far training materials are apart"));
+        }
         lines.join("\n") + "\n"
     }
 }

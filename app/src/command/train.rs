@@ -18,6 +18,8 @@ use crate::{families, output, progress, report};
 
 /// Analytic materials that training sees beside the measured ones.
 const ANALYTIC: usize = 256;
+/// Walks between analytic materials that training sees.
+const WALKS: usize = 512;
 /// Directions of the error shown while training.
 const SHOWN: usize = 1024;
 
@@ -72,7 +74,8 @@ impl Train {
         let monitored = pick(&|name| Database::of(name) == Database::Merl && Split::of(name) == shown);
         let (networks, start) = self.networks(&measured, &learns);
         let analytic = families::random_materials(global.seed(), ANALYTIC);
-        let data = TrainingData { measured: &measured, analytic: &analytic, networks: &networks, start };
+        let walks = families::random_walks(global.seed(), WALKS);
+        let data = TrainingData { measured: &measured, analytic: &analytic, walks: &walks, networks: &networks, start };
         if self.resume && !autoencoder::state_of(&self.output).exists() {
             global.warn(format_args!(
                 "no saved state at {}: starting anew",

@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use anyhow::Result;
+use autoencoder::Autoencoder;
 use nbrdf_core::brdf::ggx::Ggx;
 use nbrdf_core::brdf::lambert::Lambert;
 use nbrdf_core::brdf::table::{Lookup, Table};
@@ -160,22 +161,25 @@ pub fn pruning(materials: &[Material], repeats: usize, done: &dyn Fn()) -> Vec<S
 /// Seconds of encoding, decoding and refining on one thread.
 #[derive(Debug, Serialize)]
 pub struct Codes {
-    /// Feed-forward.
+    /// One pass of the encoder.
+    pub encoder_s: f64,
+    /// The encoder and the unrolled steps.
     pub encode_s: f64,
     /// A network from a code.
     pub decode_s: f64,
-    /// Feed-forward, then refined against the material.
+    /// The encoder, then refined against the material.
     pub refine_s: f64,
 }
 
 /// Of this material.
-pub fn codes(znbrdf: &Arc<dyn Representation>, material: &Material, repeats: usize) -> Result<Codes> {
+pub fn codes(znbrdf: &Arc<Autoencoder>, material: &Material, repeats: usize) -> Result<Codes> {
     let code = znbrdf.encode(material)?;
     let mut place = znbrdf.decode(&code)?;
-    let refined = Refined(Arc::clone(znbrdf));
+    let (unrolled, refined) = (Refined::briefly(Arc::clone(znbrdf)), Refined::new(Arc::clone(znbrdf)));
     let one_thread = rayon::ThreadPoolBuilder::new().num_threads(1).build()?;
     Ok(one_thread.install(|| Codes {
-        encode_s: seconds(repeats, || drop(znbrdf.encode(material))),
+        encoder_s: seconds(repeats, || drop(znbrdf.encode(material))),
+        encode_s: seconds(repeats, || drop(unrolled.encode(material))),
         decode_s: seconds(repeats, || drop(znbrdf.decode_into(&code.code, &mut place))),
         refine_s: seconds(repeats.div_ceil(4), || drop(refined.encode(material))),
     }))

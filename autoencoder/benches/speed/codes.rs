@@ -14,13 +14,14 @@ pub fn codes(criterion: &mut Criterion) {
     let material = builtin::shared().get("gold-paint").expect("a built-in material").material();
     let code = znbrdf.encode(&material).expect("a code");
     let mut place = znbrdf.decode(&code).expect("a reflectance");
-    let refined = Refined(Arc::clone(&znbrdf));
+    let (unrolled, refined) = (Refined::briefly(Arc::clone(&znbrdf)), Refined::new(Arc::clone(&znbrdf)));
     let one = rayon::ThreadPoolBuilder::new().num_threads(1).build().expect("a thread");
     let mut group = criterion.benchmark_group("codes");
-    group.bench_function("encode", |bencher| bencher.iter(|| znbrdf.encode(&material)));
+    group.bench_function("encoder alone", |bencher| bencher.iter(|| znbrdf.encode(&material)));
     group.bench_function("decode", |bencher| bencher.iter(|| znbrdf.decode(&code)));
     group.bench_function("decode in place", |bencher| bencher.iter(|| znbrdf.decode_into(&code.code, &mut place)));
     group.bench_function("derivatives by the code", |bencher| bencher.iter(|| znbrdf.linearize(&code.code)));
     group.sample_size(10);
+    group.bench_function("encode", |bencher| one.install(|| bencher.iter(|| unrolled.encode(&material))));
     group.bench_function("refine", |bencher| one.install(|| bencher.iter(|| refined.encode(&material))));
 }

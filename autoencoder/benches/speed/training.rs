@@ -28,7 +28,13 @@ pub fn steps(criterion: &mut Criterion) {
     let learns = |m: &Material| Database::of(&m.name) == Database::Merl && Split::of(&m.name).is_training();
     let measured: Vec<Material> = library.materials().into_iter().filter(learns).collect();
     let networks: Vec<Nbrdf> = measured.iter().filter_map(|material| material.network.clone()).collect();
-    let data = TrainingData { measured: &measured, analytic: &[], networks: &networks, start: library.shared_start() };
+    let data = TrainingData {
+        measured: &measured,
+        analytic: &[],
+        walks: &[],
+        networks: &networks,
+        start: library.shared_start(),
+    };
     let options = TrainOptions { analytic_share: 0.0, ..TrainOptions::new(Architecture::Znbrdf) };
     let mut trainer = Trainer::new(&data, &options).expect("enough to learn from");
     let mut plain = PlainCandle::new(&measured).expect("a model");

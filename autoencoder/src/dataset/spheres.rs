@@ -11,7 +11,7 @@ use rand::RngExt;
 use rayon::prelude::*;
 
 use super::{BATCH, Batch, Batches};
-use crate::loss::Target;
+use crate::loss::{Target, Wanted};
 
 /// Side of the rendered spheres in pixels.
 const SIZE: usize = 64;
@@ -41,10 +41,11 @@ impl Batches for Spheres {
             let order = PERMUTATIONS[rng.random_range(0..PERMUTATIONS.len())];
             let values: Vec<Rgb> = values.iter().map(|f| Rgb(order.map(|c| f[c]))).collect();
             let features = features(&self.samples, &values);
-            (permuted(weights, order), Target { samples: Arc::clone(&self.samples), features })
+            let samples = Arc::clone(&self.samples);
+            (permuted(weights, order), Target { samples, wanted: Wanted::Features(features), weight: 1.0 })
         };
         let (inputs, targets): (Vec<_>, Vec<_>) = (0..BATCH).into_par_iter().map(row).unzip();
-        Batch { input: inputs.concat(), targets }
+        Batch { input: inputs.concat(), places: Vec::new(), targets }
     }
 }
 

@@ -24,12 +24,22 @@ pub struct TrainOptions {
 impl TrainOptions {
     /// What the built-in checkpoints were trained with.
     pub const fn new(architecture: Architecture) -> Self {
-        let steps = match architecture {
-            Architecture::Znbrdf => 24_000,
-            Architecture::Published => 8_000,
+        let (steps, rate) = match architecture {
+            Architecture::Znbrdf => (24_000, 1.5e-3),
+            Architecture::Published => (8_000, 1e-3),
         };
-        Self { architecture, steps, rate: 1e-3, seed: 0, analytic_share: 0.15 }
+        Self { architecture, steps, rate, seed: 0, analytic_share: 0.08 }
     }
+}
+
+/// Two materials, and the one that lies between them.
+pub struct Walk {
+    /// The materials.
+    pub ends: [Arc<dyn Brdf>; 2],
+    /// How far from the first to the second, 0..1.
+    pub t: f32,
+    /// The material there.
+    pub between: Arc<dyn Brdf>,
 }
 
 /// What is learned from.
@@ -38,6 +48,8 @@ pub struct TrainingData<'a> {
     pub measured: &'a [Material],
     /// Analytic materials beside them.
     pub analytic: &'a [Arc<dyn Brdf>],
+    /// Walks between analytic materials: the decoded mix of two codes is compared with the true material between.
+    pub walks: &'a [Walk],
     /// Networks whose weights set the start and the spread of decoded weights.
     pub networks: &'a [Nbrdf],
     /// The shared start of those networks, where they have one.

@@ -41,8 +41,8 @@ impl Trainer {
             Architecture::Znbrdf => {
                 let start = data.start.map_or(mean.as_slice(), Nbrdf::weights);
                 let model = ZnbrdfModel::new(start, &spread(&networks, start), rng)?;
-                let pool = Pool::new(data.measured, data.analytic, options.analytic_share, options.seed);
-                (Box::new(model), Box::new(pool), Objective::FIT)
+                let pool = Pool::new(data, options.analytic_share, options.seed);
+                (Box::new(model), Box::new(pool), Objective::TRAIN)
             }
             Architecture::Published => {
                 let model = PublishedModel::new(&mean, &spread(&networks, &mean), rng)?;
@@ -66,13 +66,17 @@ impl Trainer {
     pub fn step(&mut self) -> Result<f64, TrainError> {
         let step = self.done();
         let batch = self.batches.batch(self.options.seed, step);
-        let columns = batch.input.len() / BATCH;
+        let walks = batch.places.len();
+        let rows = BATCH + 2 * walks;
+        let columns = batch.input.len() / rows;
         let input = match columns == 3 * FEATURES {
-            true => Tensor::from_vec(batch.input, (BATCH, 3, FEATURES), &Device::Cpu)?,
-            false => Tensor::from_vec(batch.input, (BATCH, columns), &Device::Cpu)?,
+            true => Tensor::from_vec(batch.input, (rows, 3, FEATURES), &Device::Cpu)?,
+            false => Tensor::from_vec(batch.input, (rows, columns), &Device::Cpu)?,
         };
-        let weights = self.model.decode(&self.model.encode(&input)?)?;
-        let mean = decoded_loss(&weights, self.objective, batch.targets)?.mean_all()?;
+        let codes = self.model.encode(&input)?;
+        let codes = if walks > 0 { with_mixed(&codes, batch.places)? } else { codes };
+        let weights = self.model.decode(&codes)?;
+        let mean = (decoded_loss(&weights, self.objective, batch.targets)?.sum_all()? / BATCH as f64)?;
         let loss = f64::from(mean.to_scalar::<f32>()?);
         if !loss.is_finite() {
             return Err(TrainError::Diverged { step, loss });
@@ -82,6 +86,15 @@ impl Trainer {
         self.optimizer.step(self.model.parameters(), rate(&self.options, step))?;
         Ok(loss)
     }
+}
+
+/// The materials' codes, then the mixed codes of the walks between the codes that follow.
+fn with_mixed(codes: &Tensor, places: Vec<f32>) -> Result<Tensor, TrainError> {
+    let walks = places.len();
+    let [starts, ends] = [BATCH, BATCH + walks].map(|from| codes.narrow(0, from, walks));
+    let (starts, place) = (starts?, Tensor::from_vec(places, (walks, 1), &Device::Cpu)?);
+    let mixed = (&starts + (ends? - &starts)?.broadcast_mul(&place)?)?;
+    Ok(Tensor::cat(&[&codes.narrow(0, 0, BATCH)?, &mixed], 0)?)
 }
 
 /// Learning rate: a linear rise, then half a cosine down to zero.

@@ -83,9 +83,35 @@ fn difference(f: &[f64; 3], g: &[f64; 3]) -> f64 {
     720.0 * f.iter().zip(g).map(|(f, g)| (f - g) * (f - g)).sum::<f64>().sqrt()
 }
 
-fn itp_from_linear(Rgb(linear): Rgb) -> [f64; 3] {
-    let clipped = linear.map(|v| f64::from(clipped(v)));
-    let lms = times(&LMS_FROM_BT2020, times(&BT2020_FROM_BT709, clipped)).map(|v| pq(WHITE * v / 4096.0));
+fn itp_from_linear(linear: Rgb) -> [f64; 3] {
+    itp(lms_from_linear(linear).map(pq))
+}
+
+/// I, T, P of a linear colour, and how they move with its channels: row by row, ∂(I, T, P)/∂channel. A channel that is
+/// clipped moves nothing.
+pub fn itp_and_slopes(linear: Rgb) -> ([f64; 3], [[f64; 3]; 3]) {
+    let lms = lms_from_linear(linear);
+    let slope = lms.map(pq_slope);
+    let by_channel = |channel: usize| {
+        let is_inside = linear[channel] >= 0.0 && linear[channel] <= 1.0;
+        let unit = [0, 1, 2].map(|c| f64::from(u8::from(c == channel && is_inside)));
+        let moved = lms_from(unit);
+        itp([0, 1, 2].map(|cone| slope[cone] * moved[cone]))
+    };
+    (itp(lms.map(pq)), [0, 1, 2].map(by_channel))
+}
+
+fn lms_from_linear(Rgb(linear): Rgb) -> [f64; 3] {
+    lms_from(linear.map(|v| f64::from(clipped(v))))
+}
+
+/// Cone responses in units of 10 000 cd/m².
+fn lms_from(linear: [f64; 3]) -> [f64; 3] {
+    times(&LMS_FROM_BT2020, times(&BT2020_FROM_BT709, linear)).map(|v| WHITE * v / 4096.0)
+}
+
+/// From PQ-encoded cone responses.
+fn itp(lms: [f64; 3]) -> [f64; 3] {
     let [i, t, p] = times(&ICTCP_FROM_LMS, lms).map(|v| v / 4096.0);
     [i, 0.5 * t, p]
 }
@@ -94,6 +120,16 @@ fn itp_from_linear(Rgb(linear): Rgb) -> [f64; 3] {
 fn pq(light: f64) -> f64 {
     let y = light.max(0.0).powf(2610.0 / 16384.0);
     ((3424.0 / 4096.0 + 2413.0 / 128.0 * y) / (1.0 + 2392.0 / 128.0 * y)).powf(2523.0 / 32.0)
+}
+
+/// Slope of [`pq`]; that at 10⁻⁷ (0.001 cd/m²) for darker light, where it has no bound.
+fn pq_slope(light: f64) -> f64 {
+    let (m, n) = (2610.0 / 16384.0, 2523.0 / 32.0);
+    let light = light.max(1e-7);
+    let y = light.powf(m);
+    let (over, under) = (3424.0 / 4096.0 + 2413.0 / 128.0 * y, 1.0 + 2392.0 / 128.0 * y);
+    let by_y = n * (over / under).powf(n - 1.0) * (2413.0 / 128.0 * under - over * 2392.0 / 128.0) / (under * under);
+    by_y * m * y / light
 }
 
 fn times(matrix: &[[f64; 3]; 3], v: [f64; 3]) -> [f64; 3] {
@@ -109,6 +145,26 @@ mod tests {
         let [i, t, p] = itp_from_linear(Rgb::splat(1.0));
         assert!((i - 0.508_078).abs() < 1e-5, "{i}");
         assert!(t.abs() < 1e-9 && p.abs() < 1e-9, "{t} {p}");
+    }
+
+    #[test]
+    fn slopes_are_those_of_differences() {
+        for linear in [[0.3, 0.2, 0.7], [0.01, 0.5, 0.02], [0.9, 1e-3, 1.5]] {
+            let (_, slopes) = itp_and_slopes(Rgb(linear));
+            for channel in 0..3 {
+                let mut moved = [linear; 2];
+                let offset = 1e-3 * linear[channel];
+                moved[0][channel] -= offset;
+                moved[1][channel] += offset;
+                let [low, high] = moved.map(|linear| itp_from_linear(Rgb(linear)));
+                let width = f64::from(moved[1][channel].min(1.0) - moved[0][channel].min(1.0)).max(1e-9);
+                for axis in 0..3 {
+                    let expected = (high[axis] - low[axis]) / width;
+                    let found = slopes[channel][axis];
+                    assert!((found - expected).abs() < 1e-3 * (0.1 + expected.abs()), "{linear:?}: {found} {expected}");
+                }
+            }
+        }
     }
 
     #[test]

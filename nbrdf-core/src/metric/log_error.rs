@@ -3,10 +3,12 @@
 //! Mean over rus32k and channels of |ln(1 + f cos θ_i) − ln(1 + g cos θ_i)|; A. Sztrajman et al., *Neural BRDF
 //! Representation and Importance Sampling* (2021), doi 10.1111/cgf.14335, section 3.1. Emphasises highlights.
 
+use std::sync::OnceLock;
+
 use super::Metric;
 use crate::{
     Brdf, Directions, Rgb,
-    sampling::{evaluate, rus32k},
+    sampling::{evaluate, even_directions, rus32k},
 };
 
 /// The metric `log_error`; 0 is best.
@@ -29,6 +31,14 @@ impl Metric for LogError {
 /// If the slices differ in length (a bug of the caller).
 pub fn log_error(at: &[Directions], reference: &[Rgb], other: &[Rgb]) -> f64 {
     mean_log_ratio(1.0, at, reference, other)
+}
+
+/// About [`LogError`]'s distance, from 1024 directions that are none of its own: what is known of a code's error when
+/// the code is made.
+pub fn log_error_estimate(reference: &dyn Brdf, other: &dyn Brdf) -> f64 {
+    static PLACES: OnceLock<Vec<Directions>> = OnceLock::new();
+    let at = PLACES.get_or_init(|| even_directions().take(1024).collect());
+    log_error(at, &evaluate(reference, at), &evaluate(other, at))
 }
 
 /// Mean |ln(offset + f cos θ_i) − ln(offset + g cos θ_i)| over pairs and channels; 0 for no pairs.

@@ -79,14 +79,36 @@ fn chromaticity(linear: [f64; 3]) -> [f64; 2] {
     [4.0 * x / scale, 9.0 * y / scale]
 }
 
-/// Distance of a point from the segment between two others, in their unit.
-pub fn distance_from_segment(point: [f64; 2], from: [f64; 2], to: [f64; 2]) -> f64 {
+/// CIE 1976 u′v′ of linear BT.709, and how it moves with the channels: row by row, ∂(u′, v′)/∂channel. Black counts as white.
+pub fn chromaticity_and_slopes(linear: [f64; 3]) -> ([f64; 2], [[f64; 2]; 3]) {
+    let colour = chromaticity(linear);
+    if linear == [0.0; 3] {
+        return (colour, [[0.0; 2]; 3]);
+    }
+    let [x, y, z] = XYZ_FROM_BT709.map(|row| row.iter().zip(linear).map(|(m, v)| m * v).sum::<f64>());
+    let scale = x + 15.0 * y + 3.0 * z;
+    let by_channel = |channel: usize| {
+        let [x, y, z] = XYZ_FROM_BT709.map(|row| row[channel]);
+        let moved = x + 15.0 * y + 3.0 * z;
+        [(4.0 * x - colour[0] * moved) / scale, (9.0 * y - colour[1] * moved) / scale]
+    };
+    (colour, [0, 1, 2].map(by_channel))
+}
+
+/// From the nearest point of the segment between two others to `point`.
+pub fn detour(point: [f64; 2], from: [f64; 2], to: [f64; 2]) -> [f64; 2] {
     let along = [to[0] - from[0], to[1] - from[1]];
     let offset = [point[0] - from[0], point[1] - from[1]];
     let length2 = along[0] * along[0] + along[1] * along[1];
     let share = if length2 > 0.0 { (along[0] * offset[0] + along[1] * offset[1]) / length2 } else { 0.0 };
     let share = share.clamp(0.0, 1.0);
-    (offset[0] - share * along[0]).hypot(offset[1] - share * along[1])
+    [offset[0] - share * along[0], offset[1] - share * along[1]]
+}
+
+/// Distance of a point from the segment between two others, in their unit.
+pub fn distance_from_segment(point: [f64; 2], from: [f64; 2], to: [f64; 2]) -> f64 {
+    let [u, v] = detour(point, from, to);
+    u.hypot(v)
 }
 
 #[cfg(test)]
@@ -101,6 +123,23 @@ mod tests {
     fn white_has_the_chromaticity_of_d65() {
         let [u, v] = chromaticity([0.5; 3]);
         assert!((u - 0.1978).abs() < 1e-4 && (v - 0.4683).abs() < 1e-4, "{u} {v}");
+    }
+
+    #[test]
+    fn slopes_of_the_chromaticity_are_those_of_differences() {
+        let linear = [0.3, 0.2, 0.6];
+        let (_, slopes) = chromaticity_and_slopes(linear);
+        for channel in 0..3 {
+            let moved = |by: f64| {
+                let mut moved = linear;
+                moved[channel] += by;
+                chromaticity(moved)
+            };
+            let (low, high) = (moved(-1e-5), moved(1e-5));
+            for axis in 0..2 {
+                assert!((slopes[channel][axis] - (high[axis] - low[axis]) / 2e-5).abs() < 1e-6);
+            }
+        }
     }
 
     #[test]

@@ -32,6 +32,8 @@ impl Objective {
     pub const FIT: Self = Self { log: 1.0, relative: 0.2, display: 0.3, squared: false };
     /// The published autoencoder's loss: mean square of displayed pixels alone.
     pub const IMAGE: Self = Self { log: 0.0, relative: 0.0, display: 1.0, squared: true };
+    /// For training an autoencoder.
+    pub const TRAIN: Self = Self { log: 2.0, ..Self::FIT };
     /// For refining a code.
     pub const REFINE: Self = Self { log: 1.0, relative: 0.2, display: 1.0, squared: false };
 
@@ -140,13 +142,13 @@ pub fn pull_back(samples: &Samples, values: &[Rgb], own: &[f32], by_feature: &[f
         let (f, c) = (values[i / 3][i % 3], samples.factors[i / 3]);
         by_value[i / 3][i % 3] = by_feature[i] * relative_slope(f, c);
     }
-    let first = samples.counts.log + samples.counts.relative;
     for pixel in 0..samples.counts.pixels {
         let at = display.start + 3 * pixel;
         let radiance = radiance(samples, values, pixel);
+        let first = first_lamp(samples, pixel);
         for channel in 0..3 {
             let slope = by_feature[at + channel] * display_slope(radiance[channel], own[at + channel]);
-            for lamp in first + samples.counts.lamps * pixel..first + samples.counts.lamps * (pixel + 1) {
+            for lamp in first..first + samples.counts.lamps {
                 let lit = values[lamp][channel] > 0.0;
                 by_value[lamp][channel] = if lit { slope * samples.factors[lamp] } else { 0.0 };
             }
@@ -165,11 +167,11 @@ pub fn push_forward(samples: &Samples, values: &[Rgb], own: &[f32], moved: &[Rgb
         let (f, c) = (values[i / 3][i % 3], samples.factors[i / 3]);
         out[i] = moved[i / 3][i % 3] * relative_slope(f, c);
     }
-    let first = samples.counts.log + samples.counts.relative;
     for pixel in 0..samples.counts.pixels {
         let at = display.start + 3 * pixel;
         let radiance = radiance(samples, values, pixel);
-        let lamps = first + samples.counts.lamps * pixel..first + samples.counts.lamps * (pixel + 1);
+        let first = first_lamp(samples, pixel);
+        let lamps = first..first + samples.counts.lamps;
         for channel in 0..3 {
             let lit = lamps.clone().filter(|&lamp| values[lamp][channel] > 0.0);
             let change: f32 = lit.map(|lamp| moved[lamp][channel] * samples.factors[lamp]).sum();
@@ -188,9 +190,14 @@ fn relative_slope(f: f32, c: f32) -> f32 {
     if f > 0.0 { c / (f * c + DARKEST) } else { 0.0 }
 }
 
+/// Where the lamps of a sampled pixel begin.
+pub(super) fn first_lamp(samples: &Samples, pixel: usize) -> usize {
+    samples.counts.log + samples.counts.relative + samples.counts.lamps * pixel
+}
+
 /// Radiance of a sampled pixel: its lamps summed.
-fn radiance(samples: &Samples, values: &[Rgb], pixel: usize) -> Rgb {
-    let first = samples.counts.log + samples.counts.relative + samples.counts.lamps * pixel;
+pub(super) fn radiance(samples: &Samples, values: &[Rgb], pixel: usize) -> Rgb {
+    let first = first_lamp(samples, pixel);
     (first..first + samples.counts.lamps)
         .fold(Rgb::BLACK, |sum, lamp| sum + values[lamp].map(|f| f.max(0.0)) * samples.factors[lamp])
 }

@@ -4,6 +4,7 @@ use rand::{Rng, RngExt};
 
 use crate::brdf::Prepared;
 use crate::direction::spherical;
+use crate::sampling::half_difference;
 use crate::{Brdf, Directions, Rgb, Vec3};
 
 /// How directions are drawn.
@@ -72,14 +73,11 @@ impl Samples {
             }
         }
         for _ in 0..counts.pixels {
-            // On an orthographic sphere, sin² θ_o is uniform over the disc.
-            let sin2: f32 = rng.random_range(0.0..0.98);
-            let view = Vec3::new(sin2.sqrt(), 0.0, (1.0 - sin2).sqrt());
+            let view = on_sphere(rng.random_range(0.0..0.98));
             for _ in 0..counts.lamps {
                 let light = random_light(rng, view);
-                let irradiance = std::f32::consts::PI * (0.03 + 0.8 * rng.random_range(0.0f32..1.0).powi(2));
                 directions.push(Directions::new(light, view));
-                factors.push(light.z * irradiance);
+                factors.push(light.z * irradiance(rng.random_range(0.0..1.0)));
             }
         }
         Self::new(counts, directions, factors)
@@ -128,14 +126,17 @@ impl Samples {
 
 /// A pair uniform in θ_half, θ_diff, φ_diff; it may lie below the horizon.
 pub(crate) fn random_directions(rng: &mut impl Rng) -> Directions {
-    use std::f32::consts::{FRAC_PI_2, TAU};
-    crate::Rusinkiewicz {
-        theta_half: rng.random_range(0.0..FRAC_PI_2),
-        theta_diff: rng.random_range(0.0..FRAC_PI_2),
-        phi_diff: rng.random_range(0.0..TAU),
-        phi_half: 0.0,
-    }
-    .directions()
+    half_difference([(); 3].map(|()| rng.random_range(0.0..1.0)))
+}
+
+/// The view of a pixel of an orthographic sphere: sin² θ_o is uniform over the disc.
+fn on_sphere(sin2: f32) -> Vec3 {
+    Vec3::new(sin2.sqrt(), 0.0, (1.0 - sin2).sqrt())
+}
+
+/// Of a lamp, mostly dim.
+fn irradiance(share: f32) -> f32 {
+    std::f32::consts::PI * (0.03 + 0.8 * share * share)
 }
 
 /// A direction uniform over the hemisphere.
@@ -147,10 +148,14 @@ fn random_upward(rng: &mut impl Rng) -> Vec3 {
 /// A light above the surface and not behind the sphere.
 fn random_light(rng: &mut impl Rng, view: Vec3) -> Vec3 {
     loop {
-        let cos: f32 = rng.random_range(0.01..1.0);
-        let light = spherical(cos.acos(), rng.random_range(0.0..std::f32::consts::TAU));
-        if light.dot(view) > -0.2 {
+        if let Some(light) = light_at(view, [(); 2].map(|()| rng.random_range(0.0..1.0))) {
             return light;
         }
     }
+}
+
+/// The light at these shares of the hemisphere, unless it is behind the sphere.
+fn light_at(view: Vec3, [cos, around]: [f32; 2]) -> Option<Vec3> {
+    let light = spherical((0.01 + 0.99 * cos).acos(), std::f32::consts::TAU * around);
+    (light.dot(view) > -0.2).then_some(light)
 }

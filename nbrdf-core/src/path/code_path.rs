@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use super::{Interpolation, Path, PathError, Weights, at_least_two, with_weighted_sum};
-use crate::{Brdf, Material, Representation};
+use crate::{Brdf, Code, Material, Representation};
 
 /// Encodes the ends, mixes their codes, decodes.
 pub struct CodeInterpolation {
@@ -29,11 +29,15 @@ impl Interpolation for CodeInterpolation {
     }
 
     fn between(&self, ends: &[Material]) -> Result<Box<dyn Path>, PathError> {
-        at_least_two(ends)?;
-        let codes = ends.iter().map(|end| Ok(self.representation.encode(end)?.code));
-        let codes = codes.collect::<Result<_, PathError>>()?;
+        let codes = codes_of(self.representation.as_ref(), ends)?;
         Ok(Box::new(CodePath { representation: Arc::clone(&self.representation), codes }))
     }
+}
+
+/// The codes of two or more ends.
+pub(super) fn codes_of(representation: &dyn Representation, ends: &[Material]) -> Result<Vec<Vec<f32>>, PathError> {
+    at_least_two(ends)?;
+    ends.iter().map(|end| Ok(representation.encode(end)?.code)).collect()
 }
 
 impl Path for CodePath {
@@ -41,6 +45,10 @@ impl Path for CodePath {
         with_weighted_sum(weights, &self.codes, |code| {
             Ok(self.representation.decode(&self.representation.code(code.to_vec()))?)
         })
+    }
+
+    fn code(&self, weights: &Weights) -> Result<Option<Code>, PathError> {
+        with_weighted_sum(weights, &self.codes, |code| Ok(Some(self.representation.code(code.to_vec()))))
     }
 
     fn move_to(&self, weights: &Weights, point: &mut Box<dyn Brdf>) -> Result<(), PathError> {

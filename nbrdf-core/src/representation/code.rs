@@ -18,6 +18,12 @@ pub struct Code {
     /// Name of the encoded material, where known.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub material: Option<String>,
+    /// `log_error` that the decoded code is expected to have, where it was asked for.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub expected_log_error: Option<f64>,
+    /// Distance to the code of the nearest training material, in distances among these.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub distance: Option<f64>,
 }
 
 impl Code {
@@ -26,7 +32,15 @@ impl Code {
 
     /// A code without a material's name.
     pub fn new(model: &str, checkpoint: &str, code: Vec<f32>) -> Self {
-        Self { schema: Self::SCHEMA, model: model.into(), checkpoint: checkpoint.into(), code, material: None }
+        Self {
+            schema: Self::SCHEMA,
+            model: model.into(),
+            checkpoint: checkpoint.into(),
+            code,
+            material: None,
+            expected_log_error: None,
+            distance: None,
+        }
     }
 
     /// The numbers, if this is a code of that model, checkpoint and length.

@@ -1,6 +1,8 @@
-//! Refinement: a representation's own code, then a few Levenberg–Marquardt steps on its numbers against the target.
+//! Refinement: a representation's own code, then Levenberg–Marquardt steps on its numbers against the target.
 //!
-//! Sees the target itself, so it is always reported apart from the feed-forward code.
+//! Briefly, as a part of every encoding, or until nothing changes any more. An encoder's own code is a guess at the end
+//! of this descent; a few unrolled steps take most of the way that is left (J. Marino et al., *Iterative Amortized
+//! Inference* (2018)).
 
 use std::sync::Arc;
 
@@ -14,13 +16,44 @@ use crate::nbrdf::samples::{SampleCounts, Samples};
 use crate::nbrdf::tangent::{Tangents, tangents};
 use crate::{Brdf, Material, Nbrdf, Rgb};
 
-/// Steps; more than eight change nothing that can be seen.
-const STEPS: Steps = Steps { steps: 8, offset: 3e-3 };
 /// Seed of the directions on which the code is judged: refinement is deterministic.
 const SEED: u64 = 32;
+/// Offset of numerical derivatives.
+const OFFSET: f32 = 3e-3;
+
+/// How long to refine, and on how many samples. Both are fixed, and so is the result.
+#[derive(Clone, Copy, Debug)]
+pub struct Effort {
+    /// Steps at most.
+    pub steps: usize,
+    /// Where the code is judged.
+    pub counts: SampleCounts,
+}
+
+impl Effort {
+    /// A part of encoding: milliseconds.
+    pub const BRIEF: Self = Self { steps: 3, counts: SampleCounts { log: 512, relative: 384, pixels: 160, lamps: 4 } };
+    /// More steps or samples change nothing that can be seen.
+    pub const WHOLE: Self = Self { steps: 8, counts: SampleCounts::REFINE };
+}
 
 /// Another representation whose codes are refined; codes and decoder stay its own.
-pub struct Refined<R: ?Sized>(pub Arc<R>);
+pub struct Refined<R: ?Sized> {
+    inner: Arc<R>,
+    effort: Effort,
+}
+
+impl<R: Representation + ?Sized> Refined<R> {
+    /// With as much effort as helps.
+    pub const fn new(inner: Arc<R>) -> Self {
+        Self { inner, effort: Effort::WHOLE }
+    }
+
+    /// With a few steps that are a part of encoding.
+    pub const fn briefly(inner: Arc<R>) -> Self {
+        Self { inner, effort: Effort::BRIEF }
+    }
+}
 
 struct CodeProblem<'a, R: ?Sized> {
     representation: &'a R,
@@ -71,49 +104,50 @@ pub fn refine<R: Representation + ?Sized>(
     representation: &R,
     start: &Code,
     target: &dyn Brdf,
+    effort: Effort,
 ) -> Result<Code, EncodeError> {
     let numbers = start.checked(representation.name(), representation.checkpoint(), representation.dim())?;
-    let samples = Samples::random(&mut generator(SEED, 2), SampleCounts::REFINE);
+    let samples = Samples::random(&mut generator(SEED, 2), effort.counts);
     let target = features(&samples, &samples.values(target));
     let problem = CodeProblem { representation, samples: &samples, target };
-    let refined = minimize(&problem, numbers, STEPS)?;
+    let refined = minimize(&problem, numbers, Steps { steps: effort.steps, offset: OFFSET })?;
     Ok(Code { code: refined, ..start.clone() })
 }
 
 impl<R: Representation + ?Sized> Representation for Refined<R> {
     fn name(&self) -> &'static str {
-        self.0.name()
+        self.inner.name()
     }
 
     fn dim(&self) -> usize {
-        self.0.dim()
+        self.inner.dim()
     }
 
     fn checkpoint(&self) -> &str {
-        self.0.checkpoint()
+        self.inner.checkpoint()
     }
 
     fn shared_bytes(&self) -> usize {
-        self.0.shared_bytes()
+        self.inner.shared_bytes()
     }
 
     fn encode(&self, target: &Material) -> Result<Code, EncodeError> {
-        refine(self.0.as_ref(), &self.0.encode(target)?, target.brdf.as_ref())
+        refine(self.inner.as_ref(), &self.inner.encode(target)?, target.brdf.as_ref(), self.effort)
     }
 
     fn decode(&self, code: &Code) -> Result<Box<dyn Brdf>, DecodeError> {
-        self.0.decode(code)
+        self.inner.decode(code)
     }
 
     fn network(&self, code: &Code) -> Result<Option<Nbrdf>, DecodeError> {
-        self.0.network(code)
+        self.inner.network(code)
     }
 
     fn decode_into(&self, numbers: &[f32], place: &mut Box<dyn Brdf>) -> Result<(), DecodeError> {
-        self.0.decode_into(numbers, place)
+        self.inner.decode_into(numbers, place)
     }
 
     fn linearize(&self, numbers: &[f32]) -> Result<Option<Linearized>, DecodeError> {
-        self.0.linearize(numbers)
+        self.inner.linearize(numbers)
     }
 }

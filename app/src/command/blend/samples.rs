@@ -15,6 +15,8 @@ pub struct Sample {
     pub weights: Weights,
     /// `0.25` between two ends; weights in order between more.
     pub label: String,
+    /// Whether it lies beyond the ends.
+    pub is_beyond: bool,
 }
 
 impl Sample {
@@ -24,17 +26,13 @@ impl Sample {
             [_, t] => number(*t),
             more => more.iter().map(|w| number(*w)).collect::<Vec<_>>().join(" : "),
         };
-        Ok(Self { weights, label })
+        let is_beyond = weights.as_slice().iter().any(|w| *w < 0.0);
+        Ok(Self { weights, label, is_beyond })
     }
 
     /// What stands above its column.
     pub fn heading(&self) -> String {
         if self.weights.as_slice().len() == 2 { format!("t = {}", self.label) } else { self.label.clone() }
-    }
-
-    /// Whether it lies beyond the ends.
-    pub fn is_beyond(&self) -> bool {
-        self.weights.as_slice().iter().any(|w| *w < 0.0)
     }
 }
 
@@ -48,15 +46,22 @@ fn number(value: f32) -> String {
 /// The points asked for: `at`, else `steps` even ones between two ends, else corners, edges and the centre.
 pub fn samples(ends: usize, at: &[String], steps: Option<u16>) -> Result<Vec<Sample>> {
     let points = match (at, steps) {
-        ([], Some(_)) if ends > 2 => {
-            let what = "--steps walks between two materials: give --at W,W,W for more";
-            return Err(Failure::Usage(what.to_owned()).into());
-        }
+        ([], Some(steps)) if ends > 2 => return Ok(spline(ends, steps)),
         ([], steps) if ends == 2 => even(steps.unwrap_or(STEPS)),
         ([], _) => corners_edges_centre(ends),
         (at, _) => given(ends, at)?,
     };
     points.into_iter().map(Sample::new).collect()
+}
+
+/// Even steps on the smooth curve through all key materials.
+fn spline(ends: usize, steps: u16) -> Vec<Sample> {
+    let last = f32::from(steps.max(2) - 1);
+    let one = |i: u16| {
+        let t = f32::from(i) / last;
+        Sample { weights: Weights::along_spline(t, ends), label: format!("t = {}", number(t)), is_beyond: false }
+    };
+    (0..steps).map(one).collect()
 }
 
 fn even(steps: u16) -> Vec<Vec<f32>> {
@@ -124,17 +129,24 @@ mod tests {
     }
 
     #[test]
+    fn steps_through_more_than_two_materials_pass_each_of_them() {
+        let shown = samples(3, &[], Some(5)).unwrap();
+        let one_hot = [(0, 0), (2, 1), (4, 2)];
+        assert!(one_hot.iter().all(|&(step, end)| (shown[step].weights.as_slice()[end] - 1.0).abs() < 1e-5));
+        assert_eq!((shown[1].label.as_str(), shown[1].is_beyond), ("t = 0.25", false));
+    }
+
+    #[test]
     fn points_that_make_no_sense_are_usage_errors() {
         for (ends, at) in [(2, "x"), (2, "nan"), (2, "1,2,3"), (3, "0.5"), (3, "1,1"), (2, "1,-1")] {
             let error = samples(ends, &[at.to_owned()], None).unwrap_err();
             assert_eq!(crate::failure::exit_code(&error), 2, "{at}");
         }
-        assert!(samples(3, &[], Some(5)).is_err());
     }
 
     #[test]
     fn what_lies_beyond_the_ends_is_known() {
-        let beyond = |t: &str| samples(2, &[t.to_owned()], None).unwrap()[0].is_beyond();
+        let beyond = |t: &str| samples(2, &[t.to_owned()], None).unwrap()[0].is_beyond;
         assert!(beyond("-0.1") && beyond("1.5") && !beyond("0") && !beyond("1"));
     }
 }

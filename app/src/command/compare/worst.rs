@@ -1,0 +1,66 @@
+//! Pictures of the pairs on which a method is worst.
+
+use std::path::Path;
+
+use anyhow::{Context, Result};
+use nbrdf_core::metric::ImageMetric;
+use nbrdf_core::render::Light;
+use nbrdf_core::{Image, Interpolation, Material, Weights};
+use rayon::prelude::*;
+
+use super::Measured;
+use crate::measure::higher_is_better;
+use crate::report;
+use crate::strip::{Cell, Row, Strip, ground};
+
+/// Rows of a picture.
+const ROWS: usize = 10;
+/// Spheres of a row, from end to end.
+const STEPS: u8 = 7;
+/// Side of a sphere \[pixels\].
+const SIZE: usize = 96;
+
+/// Writes `folder/method.png`: a row of spheres for each of the ten worst pairs by `key`, the worst first.
+pub fn draw(
+    folder: &Path,
+    method: &dyn Interpolation,
+    title: &str,
+    pairs: &[[Material; 2]],
+    measured: &[Measured],
+    key: &str,
+) -> Result<()> {
+    let sign = if higher_is_better(key) { -1.0 } else { 1.0 };
+    let badness = |i: usize| sign * measured[i].figures.get(key).copied().unwrap_or(f64::NAN);
+    let mut order: Vec<usize> = (0..measured.len()).collect();
+    order.sort_by(|&a, &b| badness(b).total_cmp(&badness(a)));
+    order.truncate(ROWS);
+    let cell = Cell::new(SIZE, &Light::studio());
+    let row = |&i: &usize| -> Result<Row> {
+        let path = method.between(&pairs[i])?;
+        let sphere = |step: u8| -> Result<Image> {
+            let place = Weights::two(f32::from(step) / f32::from(STEPS - 1));
+            Ok(cell.draw(path.at(&place)?.as_ref(), 1.0, ground()))
+        };
+        let spheres = (0..STEPS).map(sphere).collect::<Result<_>>()?;
+        let figure = report::figure(measured[i].figures.get(key).copied().unwrap_or(f64::NAN));
+        Ok(Row { title: measured[i].pair.clone(), name: format!("{key} {figure}"), spheres })
+    };
+    let strip = Strip {
+        heading: format!("{title}: the {} worst of {} pairs by {key}", order.len(), measured.len()),
+        remark: format!("studio light; {}", unit(key)),
+        columns: (0..STEPS).map(|step| format!("t = {:.2}", f32::from(step) / f32::from(STEPS - 1))).collect(),
+        rows: order.par_iter().map(row).collect::<Result<_>>()?,
+    };
+    let file = folder.join(format!("{}.png", method.name()));
+    strip.labelled().write_png(&file).with_context(|| file.display().to_string())
+}
+
+fn unit(key: &str) -> &'static str {
+    match key.trim_start_matches("mix_") {
+        metric if metric == ImageMetric::Psnr.name() => "the middle against the linear mix, dB, more is closer",
+        "hue_excursion" => "largest distance in u'v' from the colours between the ends",
+        "length_ratio" => "length of the path in dE_ITP over the distance of its ends",
+        "step_ratio" => "largest step in dE_ITP over the mean step",
+        _ => "worst first",
+    }
+}

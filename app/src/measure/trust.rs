@@ -1,0 +1,45 @@
+//! How far a code may be trusted: the error it is expected to have, and how far it is from what training has seen.
+
+use autoencoder::Autoencoder;
+use nbrdf_core::metric::log_error_estimate;
+use nbrdf_core::{Code, Material, Representation};
+use serde::Serialize;
+
+/// Expected `log_error` beyond which a code does not carry its material: twice what the worst material shows on which
+/// choices were made.
+pub const CARRIED: f64 = 0.015;
+
+/// What is known of a code when it has just been made.
+#[derive(Clone, Copy, Debug, Serialize)]
+pub struct Trust {
+    /// Expected `log_error`, from directions that no metric asks.
+    pub expected_log_error: f64,
+    /// Distance to the nearest training material's code; 1 is how far these are from each other. None where nothing is
+    /// remembered of training.
+    pub distance: Option<f64>,
+}
+
+impl Trust {
+    /// Of the code that `representation` made of `material`.
+    pub fn of(
+        representation: &dyn Representation,
+        known: &Autoencoder,
+        material: &Material,
+        code: &Code,
+    ) -> anyhow::Result<Self> {
+        let decoded = representation.decode(code)?;
+        let expected_log_error = log_error_estimate(material.brdf.as_ref(), decoded.as_ref());
+        Ok(Self { expected_log_error, distance: known.distance(code)? })
+    }
+
+    /// What to tell of a material that the code does not carry.
+    pub fn advice(&self, material: &str) -> Option<String> {
+        (self.expected_log_error > CARRIED).then(|| {
+            format!(
+                "{material}: {} numbers do not carry this material: expected log_error {:.3}, where {CARRIED} is the most \
+                 that is seldom seen: keep the network, or try --refine",
+                crate::catalog::DIM, self.expected_log_error
+            )
+        })
+    }
+}

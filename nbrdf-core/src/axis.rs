@@ -1,0 +1,102 @@
+//! Axes along which materials are edited: each moves one of the measured [`Qualities`] and holds others.
+
+mod edit;
+
+pub use edit::{Prior, edit};
+
+use serde::Serialize;
+
+use crate::quality::Qualities;
+
+/// A quality that can be moved.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Axis {
+    /// How light, highlight included.
+    Lightness,
+    /// Angle of the colour in u′v′, in turns; grey has none.
+    Hue,
+    /// Distance of the colour from grey, in tenths of u′v′.
+    Chroma,
+    /// Strength of the highlight.
+    Gloss,
+    /// Width of the highlight.
+    Roughness,
+    /// Share of the highlight in all light.
+    Metalness,
+    /// Brightening towards grazing angles.
+    Sheen,
+}
+
+impl Axis {
+    /// All of them.
+    pub const ALL: [Self; 7] =
+        [Self::Lightness, Self::Hue, Self::Chroma, Self::Gloss, Self::Roughness, Self::Metalness, Self::Sheen];
+
+    /// Name on the command line and in reports.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Lightness => "lightness",
+            Self::Hue => "hue",
+            Self::Chroma => "chroma",
+            Self::Gloss => "gloss",
+            Self::Roughness => "roughness",
+            Self::Metalness => "metalness",
+            Self::Sheen => "sheen",
+        }
+    }
+
+    /// The quality itself, as it is asked for: hue in turns.
+    pub fn value(self, q: &Qualities) -> f64 {
+        match self {
+            Self::Lightness => q.lightness,
+            Self::Hue => q.colour[1].atan2(q.colour[0]) / std::f64::consts::TAU,
+            Self::Chroma => 10.0 * q.colour[0].hypot(q.colour[1]),
+            Self::Gloss => q.gloss,
+            Self::Roughness => q.roughness,
+            Self::Metalness => q.metalness,
+            Self::Sheen => q.sheen,
+        }
+    }
+
+    /// How far this quality moved; a hue the shorter way round.
+    pub fn difference(self, from: &Qualities, to: &Qualities) -> f64 {
+        let difference = self.value(to) - self.value(from);
+        if self == Self::Hue { difference - difference.round() } else { difference }
+    }
+
+    /// What is prescribed, moved quality and held ones. Lightness takes the highlight with it, gloss leaves the body
+    /// alone, metalness trades body for highlight: three names for two amounts of light.
+    fn rows(self, q: &Qualities) -> Vec<f64> {
+        let colour = q.colour.map(|v| 10.0 * v);
+        let common = [colour[0], colour[1], q.roughness, q.sheen];
+        let own = match self {
+            Self::Gloss => [q.gloss, q.body],
+            _ => [q.lightness, q.metalness],
+        };
+        common.into_iter().chain(own).collect()
+    }
+
+    /// The prescribed rows when this quality of `from` is moved by `amount`.
+    fn wanted(self, from: &Qualities, amount: f64) -> Vec<f64> {
+        let mut q = *from;
+        match self {
+            Self::Lightness => q.lightness += amount,
+            Self::Hue => {
+                let (sin, cos) = (std::f64::consts::TAU * amount).sin_cos();
+                let [u, v] = q.colour;
+                q.colour = [cos * u - sin * v, sin * u + cos * v];
+            }
+            Self::Chroma => {
+                let length = q.colour[0].hypot(q.colour[1]).max(1e-6);
+                let factor = (1.0 + 0.1 * amount / length).max(0.0);
+                q.colour = q.colour.map(|v| v * factor);
+            }
+            Self::Gloss => q.gloss += amount,
+            Self::Roughness => q.roughness += amount,
+            Self::Metalness => q.metalness += amount,
+            Self::Sheen => q.sheen += amount,
+        }
+        self.rows(&q)
+    }
+}

@@ -1,0 +1,186 @@
+//! Any path, with a limit beyond its ends: no material there reflects more light than it receives.
+//!
+//! x beyond an end becomes r (1 − e^(−x/r)): at the end the path goes on as it came, without a kink, then ever slower,
+//! and never further than its reach r. The reach is where albedo [`LIMIT`] is met, [`FURTHEST`] at most. Points stay
+//! points of the inner path (decoded codes stay networks); derivatives by t fade, but nowhere vanish or jump.
+
+use std::sync::OnceLock;
+
+use super::{Interpolation, Path, PathError, Weights};
+use crate::metric::albedo_max;
+use crate::{Brdf, Code, Material};
+
+/// Albedo that is not exceeded beyond the ends.
+const LIMIT: f64 = 0.99;
+/// Reach where nothing else limits it, in distances of the ends.
+const FURTHEST: f32 = 1.0;
+/// Places at which a reach is looked for, and halvings afterwards.
+const LOOKS: u8 = 16;
+const HALVINGS: u8 = 4;
+
+/// Another interpolation, limited beyond its ends; between them nothing changes.
+pub struct Bounded {
+    inner: Box<dyn Interpolation>,
+}
+
+impl Bounded {
+    /// Under the inner one's name.
+    pub fn new(inner: Box<dyn Interpolation>) -> Self {
+        Self { inner }
+    }
+}
+
+impl Interpolation for Bounded {
+    fn name(&self) -> &'static str {
+        self.inner.name()
+    }
+
+    fn between(&self, ends: &[Material]) -> Result<Box<dyn Path>, PathError> {
+        let path = self.inner.between(ends)?;
+        Ok(Box::new(BoundedPath { path, ends: ends.len(), reach: Default::default() }))
+    }
+}
+
+struct BoundedPath {
+    path: Box<dyn Path>,
+    ends: usize,
+    /// Beyond the first and the second of two ends; looked for when first needed.
+    reach: [OnceLock<f32>; 2],
+}
+
+impl Path for BoundedPath {
+    fn at(&self, weights: &Weights) -> Result<Box<dyn Brdf>, PathError> {
+        self.path.at(&self.limited(weights)?)
+    }
+
+    fn move_to(&self, weights: &Weights, point: &mut Box<dyn Brdf>) -> Result<(), PathError> {
+        self.path.move_to(&self.limited(weights)?, point)
+    }
+
+    fn code(&self, weights: &Weights) -> Result<Option<Code>, PathError> {
+        self.path.code(&self.limited(weights)?)
+    }
+}
+
+impl BoundedPath {
+    fn limited(&self, weights: &Weights) -> Result<Weights, PathError> {
+        let asked = weights.for_ends(self.ends)?;
+        let beyond: f32 = asked.iter().map(|w| (-w).max(0.0)).sum();
+        if beyond == 0.0 || !beyond.is_finite() {
+            return Ok(weights.clone());
+        }
+        let ray = Ray::new(asked, beyond);
+        let reach = match asked {
+            [first, _] => {
+                let side = &self.reach[usize::from(*first < 0.0)];
+                match side.get() {
+                    Some(&known) => known,
+                    None => {
+                        let found = self.reach_along(&ray)?;
+                        *side.get_or_init(|| found)
+                    }
+                }
+            }
+            _ => self.reach_along(&ray)?,
+        };
+        ray.at(if reach > 0.0 { -reach * (-beyond / reach).exp_m1() } else { 0.0 })
+    }
+
+    /// How far the albedo stays within its limit.
+    fn reach_along(&self, ray: &Ray) -> Result<f32, PathError> {
+        let mut point = self.path.at(&ray.at(0.0)?)?;
+        let mut is_safe = |x: f32| {
+            // Where nothing can be decoded, nothing is safe.
+            let decoded = self.path.move_to(&ray.at(x)?, &mut point).is_ok();
+            Ok::<_, PathError>(decoded && albedo_max(point.as_ref()) <= LIMIT)
+        };
+        let place = |look: u8| FURTHEST * f32::from(look) / f32::from(LOOKS);
+        let mut look = 0;
+        while look <= LOOKS && is_safe(place(look))? {
+            look += 1;
+        }
+        if look > LOOKS {
+            return Ok(FURTHEST);
+        }
+        let Some(last) = look.checked_sub(1) else { return Ok(0.0) };
+        let (mut safe, mut unsafe_) = (place(last), place(look));
+        for _ in 0..HALVINGS {
+            let middle = 0.5 * (safe + unsafe_);
+            if is_safe(middle)? { safe = middle } else { unsafe_ = middle }
+        }
+        Ok(safe)
+    }
+}
+
+/// From the nearest mix of the ends outwards, by the sum of the negative weights.
+struct Ray {
+    base: Vec<f32>,
+    outwards: Vec<f32>,
+}
+
+impl Ray {
+    fn new(asked: &[f32], beyond: f32) -> Self {
+        let kept: f32 = asked.iter().map(|w| w.max(0.0)).sum();
+        let base: Vec<f32> = asked.iter().map(|w| w.max(0.0) / kept).collect();
+        let outwards = asked.iter().zip(&base).map(|(w, base)| (w - base) / beyond).collect();
+        Self { base, outwards }
+    }
+
+    fn at(&self, x: f32) -> Result<Weights, PathError> {
+        let weights = self.base.iter().zip(&self.outwards).map(|(base, out)| base + x * out).collect();
+        Ok(Weights::normalized(weights)?)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::brdf::lambert::Lambert;
+    use crate::path::mix::Mix;
+    use crate::{Interpolation, Rgb};
+
+    fn greys(albedos: &[f32]) -> Vec<Material> {
+        let one = |&albedo: &f32| Material::new("grey", std::sync::Arc::new(Lambert { albedo: Rgb::splat(albedo) }));
+        albedos.iter().map(one).collect()
+    }
+
+    fn albedo(path: &dyn Path, weights: &Weights) -> f32 {
+        let at = crate::Directions::from_angles(0.2, 0.0, 0.3, 1.0);
+        path.at(weights).unwrap().eval(at)[0] * std::f32::consts::PI
+    }
+
+    #[test]
+    fn between_the_ends_nothing_changes() {
+        let bounded = Bounded::new(Box::new(Mix::Linear)).between(&greys(&[0.2, 0.8])).unwrap();
+        for t in [0.0, 0.25, 1.0] {
+            assert!((albedo(bounded.as_ref(), &Weights::two(t)) - (0.2 + 0.6 * t)).abs() < 1e-6);
+        }
+    }
+
+    #[test]
+    fn beyond_the_ends_the_walk_slows_down_and_stays_possible() {
+        let bounded = Bounded::new(Box::new(Mix::Linear)).between(&greys(&[0.2, 0.8])).unwrap();
+        let at = |t: f32| albedo(bounded.as_ref(), &Weights::two(t));
+        let places: Vec<f32> = (0..=32).map(|k| at(1.0 + k as f32 / 8.0)).collect();
+        assert!(places.windows(2).all(|pair| pair[1] >= pair[0]), "{places:?}");
+        assert!(places[32] <= LIMIT as f32 && places[32] > 0.95, "{places:?}");
+        // No kink at the end.
+        let (before, after) = (at(1.0) - at(0.999), at(1.001) - at(1.0));
+        assert!((before / after - 1.0).abs() < 0.05, "{before} {after}");
+        assert!(at(-5.0) >= 0.0);
+    }
+
+    #[test]
+    fn more_than_two_ends_have_a_limit_too() {
+        let bounded = Bounded::new(Box::new(Mix::Linear)).between(&greys(&[0.2, 0.5, 0.9])).unwrap();
+        let weights = Weights::normalized(vec![-1.0, -1.0, 3.0]).unwrap();
+        let found = albedo(bounded.as_ref(), &weights);
+        assert!(found > 0.9 && found <= LIMIT as f32, "{found}");
+    }
+
+    #[test]
+    fn an_end_at_the_limit_is_not_left() {
+        let bounded = Bounded::new(Box::new(Mix::Linear)).between(&greys(&[0.2, 0.995])).unwrap();
+        assert!((albedo(bounded.as_ref(), &Weights::two(1.5)) - 0.995).abs() < 1e-6);
+    }
+}
