@@ -192,12 +192,10 @@ fn is_exr(path: &Path) -> bool {
     path.extension().is_some_and(|extension| extension == "exr")
 }
 
-fn points(
-    entry: &InterpolationEntry,
-    catalog: &Catalog,
-    ends: &[Material],
-    samples: &[Sample],
-) -> Result<(Vec<Box<dyn Brdf>>, Option<Vec<f64>>)> {
+/// What a walk passes, and how far each code is from known ones.
+type Points = (Vec<Box<dyn Brdf>>, Option<Vec<f64>>);
+
+fn points(entry: &InterpolationEntry, catalog: &Catalog, ends: &[Material], samples: &[Sample]) -> Result<Points> {
     let path = entry.build(catalog)?.between(ends)?;
     let known = catalog.autoencoder();
     let distance = |sample: &Sample| match path.code(&sample.weights)? {

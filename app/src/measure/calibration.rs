@@ -60,8 +60,8 @@ pub fn spearman(a: &[f64], b: &[f64]) -> f64 {
 }
 
 fn ranks(values: &[f64]) -> Vec<f64> {
-    let below = |v: f64| values.iter().filter(|other| other.total_cmp(&&v).is_lt()).count();
-    let same = |v: f64| values.iter().filter(|other| other.total_cmp(&&v).is_eq()).count();
+    let below = |v: f64| values.iter().filter(|other| other.total_cmp(&v).is_lt()).count();
+    let same = |v: f64| values.iter().filter(|other| other.total_cmp(&v).is_eq()).count();
     values.iter().map(|&v| below(v) as f64 + (same(v) as f64 - 1.0) / 2.0).collect()
 }
 

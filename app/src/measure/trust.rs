@@ -5,8 +5,10 @@ use nbrdf_core::metric::log_error_estimate;
 use nbrdf_core::{Code, Material, Representation};
 use serde::Serialize;
 
-/// Expected `log_error` beyond which a code does not carry its material: twice what the worst material shows on which
-/// choices were made.
+use crate::catalog::DIM;
+
+/// Expected `log_error` beyond which a code does not carry its material: nearly twice the largest error among the
+/// validation materials.
 pub const CARRIED: f64 = 0.015;
 
 /// What is known of a code when it has just been made.
@@ -36,9 +38,9 @@ impl Trust {
     pub fn advice(&self, material: &str) -> Option<String> {
         (self.expected_log_error > CARRIED).then(|| {
             format!(
-                "{material}: {} numbers do not carry this material: expected log_error {:.3}, where {CARRIED} is the most \
-                 that is seldom seen: keep the network, or try --refine",
-                crate::catalog::DIM, self.expected_log_error
+                "{material}: {DIM} numbers do not carry this material: expected log_error {:.3}, and materials like those of \
+                 training stay below {CARRIED}: keep the network, or try --refine",
+                self.expected_log_error
             )
         })
     }
