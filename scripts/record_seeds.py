@@ -8,10 +8,9 @@ import statistics
 import sys
 from pathlib import Path
 
-ROOT = Path(__file__).resolve().parent.parent
-KEYS = ["log_error", "relative_log"] + [
-    f"{light}_{metric}" for light in ("point", "studio") for metric in ("psnr", "ssim", "flip", "delta_e_itp")
-]
+from make_results import EVALUATE, ROOT
+
+KEYS = [key for key, _, _ in EVALUATE]
 
 
 def main() -> int:

@@ -96,7 +96,7 @@ pub const REPRESENTATIONS: &[RepresentationEntry] = &[
         name: "znbrdf",
         variant: Variant::Refined,
         about: "ZNBRDF, its code refined against the target",
-        build: |catalog| Ok(Arc::new(Refined::new(catalog.autoencoder()))),
+        build: |catalog| Ok(catalog.refined()),
     },
     RepresentationEntry {
         name: "published_autoencoder",
@@ -136,10 +136,7 @@ pub const INTERPOLATIONS: &[InterpolationEntry] = &[
         name: "latent_refined",
         title: "Latent, refined",
         about: "straight between refined ZNBRDF codes",
-        build: |catalog| {
-            let refined = Arc::new(Refined::new(catalog.autoencoder()));
-            Ok(bounded(CodeInterpolation::new("latent_refined", refined)))
-        },
+        build: |catalog| Ok(bounded(CodeInterpolation::new("latent_refined", catalog.refined()))),
     },
     InterpolationEntry {
         name: "latent_even",
@@ -164,8 +161,7 @@ pub const INTERPOLATIONS: &[InterpolationEntry] = &[
         title: "Latent, refined, shortest",
         about: "the shortest way between refined ZNBRDF codes",
         build: |catalog| {
-            let refined = Arc::new(Refined::new(catalog.autoencoder()));
-            let shortest = Geodesic::new("latent_refined_geodesic", refined);
+            let shortest = Geodesic::new("latent_refined_geodesic", catalog.refined());
             Ok(bounded(Even::new("latent_refined_geodesic", Box::new(shortest))))
         },
     },

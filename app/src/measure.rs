@@ -9,4 +9,4 @@ mod target;
 mod trust;
 
 pub use target::{Target, higher_is_better};
-pub use trust::{CARRIED, Trust};
+pub use trust::Trust;

@@ -7,13 +7,11 @@ use nbrdf_core::{Material, Representation};
 
 use crate::Autoencoder;
 use crate::checkpoint::{Checkpoint, CheckpointError, invalid};
-use crate::model::DIM;
 use crate::model::znbrdf::{CHANNEL, SHARED};
+use crate::model::{CHANNEL_ORDERS, DIM};
 
 /// The tensor's name in a checkpoint.
 const NAME: &str = "known";
-/// Orders of the colour channels.
-const ORDERS: [[usize; 3]; 6] = [[0, 1, 2], [0, 2, 1], [1, 0, 2], [1, 2, 0], [2, 0, 1], [2, 1, 0]];
 
 /// The codes of the training materials. A material in other colours is the same: all orders of the channels count.
 pub(crate) struct Known {
@@ -38,7 +36,8 @@ impl Known {
             ));
         }
         let own = values.chunks_exact(DIM);
-        let codes: Vec<Vec<f32>> = own.clone().flat_map(|code| ORDERS.map(|order| reordered(code, order))).collect();
+        let codes: Vec<Vec<f32>> =
+            own.clone().flat_map(|code| CHANNEL_ORDERS.map(|order| reordered(code, order))).collect();
         let deviation = |number: usize| {
             let values = || codes.iter().map(|code| f64::from(code[number]));
             let mean = values().sum::<f64>() / codes.len() as f64;
@@ -67,7 +66,7 @@ impl Known {
             let term = |((a, b), spread): ((&f32, &f32), &f64)| (f64::from(a - b) / spread).powi(2);
             (code.iter().zip(known).zip(&self.spread).map(term).sum::<f64>() / DIM as f64).sqrt()
         };
-        let others = self.codes.iter().enumerate().filter(|(i, _)| Some(i / ORDERS.len()) != but);
+        let others = self.codes.iter().enumerate().filter(|(i, _)| Some(i / CHANNEL_ORDERS.len()) != but);
         others.map(|(_, known)| distance(known)).fold(f64::INFINITY, f64::min)
     }
 }

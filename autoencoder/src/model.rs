@@ -13,6 +13,8 @@ use crate::parameters::Parameters;
 
 /// Numbers in a code.
 pub const DIM: usize = 32;
+/// All orders of the colour channels.
+pub(crate) const CHANNEL_ORDERS: [[usize; 3]; 6] = [[0, 1, 2], [0, 2, 1], [1, 0, 2], [1, 2, 0], [2, 0, 1], [2, 1, 0]];
 
 /// A trainable autoencoder between rows of inputs and rows of 675 weights.
 pub(crate) trait Model {

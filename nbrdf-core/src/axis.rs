@@ -67,18 +67,17 @@ impl Axis {
 
     /// What is prescribed, moved quality and held ones. Lightness takes the highlight with it, gloss leaves the body
     /// alone, metalness trades body for highlight: three names for two amounts of light.
-    fn rows(self, q: &Qualities) -> Vec<f64> {
-        let colour = q.colour.map(|v| 10.0 * v);
-        let common = [colour[0], colour[1], q.roughness, q.sheen];
-        let own = match self {
+    fn rows(self, q: &Qualities) -> [f64; 6] {
+        let [u, v] = q.colour.map(|v| 10.0 * v);
+        let [first, second] = match self {
             Self::Gloss => [q.gloss, q.body],
             _ => [q.lightness, q.metalness],
         };
-        common.into_iter().chain(own).collect()
+        [u, v, q.roughness, q.sheen, first, second]
     }
 
     /// The prescribed rows when this quality of `from` is moved by `amount`.
-    fn wanted(self, from: &Qualities, amount: f64) -> Vec<f64> {
+    fn wanted(self, from: &Qualities, amount: f64) -> [f64; 6] {
         let mut q = *from;
         match self {
             Self::Lightness => q.lightness += amount,

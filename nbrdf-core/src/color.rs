@@ -10,6 +10,11 @@ use serde::{Deserialize, Serialize};
 #[repr(transparent)]
 pub struct Rgb(pub [f32; 3]);
 
+/// Luminance of linear BT.709; above 0 for every colour but black.
+pub fn luminance([red, green, blue]: [f64; 3]) -> f64 {
+    0.2126 * red + 0.7152 * green + 0.0722 * blue
+}
+
 impl Rgb {
     /// All channels zero.
     pub const BLACK: Self = Self([0.0; 3]);
@@ -52,6 +57,11 @@ impl Rgb {
     /// Mean of the three channels.
     pub fn mean(self) -> f32 {
         (self.0[0] + self.0[1] + self.0[2]) / 3.0
+    }
+
+    /// See [`luminance`].
+    pub fn luminance(self) -> f64 {
+        luminance(self.0.map(f64::from))
     }
 
     /// Whether no channel is NaN or infinite.

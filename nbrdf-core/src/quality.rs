@@ -10,6 +10,7 @@ use std::sync::OnceLock;
 use serde::Serialize;
 
 use crate::brdf::Prepared;
+use crate::color::luminance;
 use crate::metric::chromaticity_and_slopes;
 use crate::sampling::rings_and_spokes;
 use crate::{Brdf, Directions, Rgb, Rusinkiewicz};
@@ -91,7 +92,7 @@ impl Qualities {
             let sum = |sum: [f64; 3], (f, weight): (Rgb, &f64)| [0, 1, 2].map(|c| sum[c] + f64::from(f[c]) * weight);
             values.by_ref().take(weights.len()).zip(weights).fold([0.0; 3], sum)
         });
-        let profile: Vec<f64> = values.map(|f| luminance(f.0.map(f64::from))).collect();
+        let profile: Vec<f64> = values.map(|f| f.luminance()).collect();
         let body = body(places, &profile);
         let (mut energy, mut second) = (0.0, 0.0);
         for ((theta, weight), f) in places.profile.iter().zip(&profile) {
@@ -126,10 +127,6 @@ fn body(places: &Places, profile: &[f64]) -> f64 {
 fn excess(x: f64) -> f64 {
     const SOFT: f64 = 1e-4;
     0.5 * (x + x.hypot(SOFT))
-}
-
-fn luminance([r, g, b]: [f64; 3]) -> f64 {
-    0.2126 * r + 0.7152 * g + 0.0722 * b
 }
 
 /// L* / 100 (CIE 1976).

@@ -29,6 +29,15 @@ impl Catalog {
         Self { reference, checkpoint: None, pca_tables: OnceLock::new(), pca_weights: OnceLock::new() }
     }
 
+    /// For measuring: against this library or the default reference, with this checkpoint or the built-in one.
+    pub fn for_measuring(reference: Option<&Path>, checkpoint: Option<&Path>) -> Result<Self> {
+        let catalog = Self::new(Arc::new(Reference::load(reference)?));
+        match checkpoint {
+            Some(path) => catalog.with_checkpoint(path),
+            None => Ok(catalog),
+        }
+    }
+
     /// With another ZNBRDF checkpoint than the built-in one.
     pub fn with_checkpoint(self, path: &Path) -> Result<Self> {
         let loaded = Autoencoder::load(path)?;
@@ -70,6 +79,10 @@ impl Catalog {
 
     pub(super) fn znbrdf(&self) -> Shared {
         Arc::new(Refined::briefly(self.autoencoder()))
+    }
+
+    pub(super) fn refined(&self) -> Shared {
+        Arc::new(Refined::new(self.autoencoder()))
     }
 
     /// ZNBRDF itself, which knows more than a representation does.

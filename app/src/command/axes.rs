@@ -1,7 +1,6 @@
 //! `nbrdf axes`: whether the axes of `nbrdf edit` do what their names say.
 
 use std::path::PathBuf;
-use std::sync::Arc;
 
 use anyhow::{Context, Result, bail};
 use clap::Args;
@@ -10,10 +9,10 @@ use nbrdf_core::metric::Spread;
 use nbrdf_core::quality::Qualities;
 use nbrdf_core::{Database, Representation, Split};
 use rayon::prelude::*;
-use serde_json::{Value, json};
+use serde_json::{Map, Value, json};
 
 use super::Global;
-use crate::catalog::{Catalog, Reference};
+use crate::catalog::Catalog;
 use crate::report::table::Table;
 use crate::{progress, report};
 
@@ -39,20 +38,15 @@ struct Walk {
     material: String,
     /// Whether the quality never went the wrong way.
     monotone: bool,
-    /// Share of the asked change that was reached.
-    reached: f64,
-    /// Change of every quality, in what was asked for of the moved one.
+    /// Change of every quality, in what was asked for of the moved one: of this one, the share that was reached.
     moved: [f64; Axis::ALL.len()],
 }
 
 impl Axes {
     /// Runs the command.
     pub fn run(&self, global: &Global) -> Result<()> {
-        let reference = Arc::new(Reference::load(self.reference.as_deref())?);
-        let mut catalog = Catalog::new(Arc::clone(&reference));
-        if let Some(path) = &self.checkpoint {
-            catalog = catalog.with_checkpoint(path)?;
-        }
+        let catalog = Catalog::for_measuring(self.reference.as_deref(), self.checkpoint.as_deref())?;
+        let reference = catalog.reference();
         let known = catalog.autoencoder();
         let prior = known.prior().context("this model remembers no materials to learn axes from")?;
         let representation = catalog.representation(known.name(), false)?;
@@ -70,12 +64,11 @@ impl Axes {
                 bar.inc(1);
                 Ok(walk)
             };
-            rows.push((axis, codes.par_iter().map(one).collect::<Result<Vec<_>>>()?));
+            rows.push(row(axis, &codes.par_iter().map(one).collect::<Result<Vec<_>>>()?));
         }
         bar.finish_and_clear();
         let out = json!({
-            "schema": 1, "reference": reference.kind, "split": Split::HeldOut, "amount": AMOUNT,
-            "axes": rows.iter().map(|(axis, walks)| row(*axis, walks)).collect::<Vec<_>>(),
+            "schema": 1, "reference": reference.kind, "split": Split::HeldOut, "amount": AMOUNT, "axes": rows,
         });
         report::print(global, &out, || text(&rows, codes.len()))
     }
@@ -101,39 +94,31 @@ fn walk(model: &dyn Representation, prior: &Prior, name: &str, code: &[f32], axi
     let monotone = places.windows(2).all(|pair| axis.difference(&pair[0], &pair[1]) > -TOLERANCE);
     let (first, last) = (&places[0], &places[places.len() - 1]);
     let moved = Axis::ALL.map(|other| other.difference(first, last) / (2.0 * AMOUNT));
-    let own = Axis::ALL.iter().position(|other| *other == axis).map_or(0.0, |index| moved[index]);
-    Ok(Walk { material: name.to_owned(), monotone, reached: own, moved })
-}
-
-fn mean(values: impl ExactSizeIterator<Item = f64>) -> f64 {
-    let count = values.len().max(1) as f64;
-    values.sum::<f64>() / count
+    Ok(Walk { material: name.to_owned(), monotone, moved })
 }
 
 fn row(axis: Axis, walks: &[Walk]) -> Value {
-    let others: serde_json::Map<String, Value> = Axis::ALL
-        .iter()
-        .enumerate()
-        .map(|(i, other)| (other.name().to_owned(), json!(mean(walks.iter().map(|walk| walk.moved[i].abs())))))
-        .collect();
+    let mean = |i: usize| walks.iter().map(|walk| walk.moved[i].abs()).sum::<f64>() / walks.len().max(1) as f64;
+    let moved: Map<String, Value> =
+        Axis::ALL.iter().map(|other| (other.name().to_owned(), json!(mean(*other as usize)))).collect();
     json!({
         "axis": axis.name(), "count": walks.len(),
         "monotone": walks.iter().filter(|walk| walk.monotone).count(),
-        "reached": Spread::new(walks.iter().map(|walk| (walk.material.as_str(), walk.reached)), true),
-        "moved": others,
+        "reached": Spread::new(walks.iter().map(|walk| (walk.material.as_str(), walk.moved[axis as usize])), true),
+        "moved": moved,
     })
 }
 
-fn text(rows: &[(Axis, Vec<Walk>)], count: usize) -> String {
+fn text(rows: &[Value], count: usize) -> String {
     let mut head = vec!["axis".to_owned(), "monotone".to_owned(), "reached".to_owned()];
     head.extend(Axis::ALL.iter().map(|axis| axis.name().to_owned()));
     let mut table = Table::new(head);
-    for (axis, walks) in rows {
-        let monotone = walks.iter().filter(|walk| walk.monotone).count();
-        let reached = mean(walks.iter().map(|walk| walk.reached));
-        let mut cells = vec![axis.name().to_owned(), format!("{monotone} of {count}"), report::figure(reached)];
-        let moved = |i: usize| report::figure(mean(walks.iter().map(|walk| walk.moved[i].abs())));
-        cells.extend((0..Axis::ALL.len()).map(moved));
+    let figure = |value: &Value| report::figure(value.as_f64().unwrap_or(f64::NAN));
+    for row in rows {
+        let name = row["axis"].as_str().unwrap_or_default();
+        let mut cells =
+            vec![name.to_owned(), format!("{} of {count}", row["monotone"]), figure(&row["reached"]["mean"])];
+        cells.extend(Axis::ALL.iter().map(|axis| figure(&row["moved"][axis.name()])));
         table.push(cells);
     }
     format!(

@@ -4,7 +4,6 @@ mod worst;
 
 use std::collections::BTreeMap;
 use std::path::PathBuf;
-use std::sync::Arc;
 
 use anyhow::{Context, Result, bail};
 use clap::Args;
@@ -61,11 +60,8 @@ struct Measured {
 impl Compare {
     /// Runs the command.
     pub fn run(&self, global: &Global) -> Result<()> {
-        let reference = Arc::new(Reference::load(self.reference.as_deref())?);
-        let mut catalog = Catalog::new(Arc::clone(&reference));
-        if let Some(path) = &self.checkpoint {
-            catalog = catalog.with_checkpoint(path)?;
-        }
+        let catalog = Catalog::for_measuring(self.reference.as_deref(), self.checkpoint.as_deref())?;
+        let reference = catalog.reference();
         if let Some(folder) = &self.pictures {
             std::fs::create_dir_all(folder).with_context(|| format!("{}: cannot be made", folder.display()))?;
         }
@@ -74,7 +70,7 @@ impl Compare {
             chosen => chosen.iter().map(String::as_str).collect(),
         };
         let methods = names.iter().map(|name| catalog.interpolation(name)).collect::<Result<Vec<_>>>()?;
-        let pairs = self.pairs(&reference)?;
+        let pairs = self.pairs(reference)?;
         let families: Vec<FittedFamily> = match self.no_families {
             true => Vec::new(),
             false => FittedFamily::all().into_par_iter().map(|pair| FittedFamily::fit(pair, global.seed())).collect(),

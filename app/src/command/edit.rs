@@ -6,7 +6,6 @@ use anyhow::{Context, Result};
 use clap::Args;
 use nbrdf_core::axis::{Axis, edit};
 use nbrdf_core::quality::Qualities;
-use nbrdf_core::representation::EncodeError;
 use nbrdf_core::{Code, Representation, atomic};
 use serde_json::{Value, json};
 
@@ -38,7 +37,7 @@ pub struct Edit {
 fn parse(text: &str) -> Result<(Axis, f64), String> {
     let names = || Axis::ALL.map(Axis::name).join(", ");
     let expected = || format!("expected a quality and an amount, as in gloss+0.3; qualities: {}", names());
-    let at = text.find(['+', '-', '=']).ok_or_else(expected)?;
+    let at = text.find(['+', '-']).ok_or_else(expected)?;
     let (name, amount) = text.split_at(at);
     let axis = Axis::ALL.into_iter().find(|axis| axis.name() == name).ok_or_else(expected)?;
     let amount: f64 = amount.parse().map_err(|_| expected())?;
@@ -74,7 +73,7 @@ impl Edit {
         let mut now = before;
         for &(axis, amount) in &self.edits {
             let from = now;
-            (numbers, now) = edit(known.as_ref(), &prior, &numbers, axis, amount).map_err(EncodeError::from)?;
+            (numbers, now) = edit(known.as_ref(), &prior, &numbers, axis, amount)?;
             warn_if_short(global, axis, amount, [&from, &now])?;
         }
         let edited = known.code(numbers);

@@ -41,8 +41,8 @@ impl Encode {
         let item = shelf.material(&self.material)?;
         let representation = shelf.catalog.representation(&self.representation, self.refine)?;
         let code = representation.encode(&item.material)?;
-        let known = shelf.catalog.autoencoder();
-        let trust = Trust::of(representation.as_ref(), &known, &item.material, &code)?;
+        let decoded = representation.decode(&code)?;
+        let trust = Trust::of(&item.material, &code, decoded.as_ref(), &shelf.catalog.autoencoder())?;
         if let Some(advice) = trust.advice(&item.material.name) {
             global.warn(format_args!("{advice}"))?;
         }

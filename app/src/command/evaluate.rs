@@ -2,7 +2,6 @@
 
 use std::collections::BTreeMap;
 use std::path::PathBuf;
-use std::sync::Arc;
 use std::time::Instant;
 
 use anyhow::{Result, bail};
@@ -14,7 +13,7 @@ use rayon::prelude::*;
 use serde_json::{Map, Value, json};
 
 use super::Global;
-use crate::catalog::{Catalog, REPRESENTATIONS, Reference, RepresentationEntry};
+use crate::catalog::{Catalog, REPRESENTATIONS, RepresentationEntry};
 use crate::measure::calibration::{Calibration, Judged};
 use crate::measure::{Target, Trust, higher_is_better};
 use crate::report::table::Table;
@@ -62,11 +61,8 @@ impl Measured {
 impl Evaluate {
     /// Runs the command.
     pub fn run(&self, global: &Global) -> Result<()> {
-        let reference = Arc::new(Reference::load(self.reference.as_deref())?);
-        let mut catalog = Catalog::new(Arc::clone(&reference));
-        if let Some(path) = &self.checkpoint {
-            catalog = catalog.with_checkpoint(path)?;
-        }
+        let catalog = Catalog::for_measuring(self.reference.as_deref(), self.checkpoint.as_deref())?;
+        let reference = catalog.reference();
         for name in &self.with {
             catalog.representation(name, false)?;
         }
@@ -103,9 +99,10 @@ impl Evaluate {
                 };
                 let codes = materials.iter().map(encode).collect::<Result<Vec<_>>>()?;
                 let one = |((material, target), (code, encode_s)): ((&&Material, &Target), &(Code, f64))| {
-                    let mut figures = target.figures(representation.decode(code)?.as_ref());
+                    let decoded = representation.decode(code)?;
+                    let mut figures = target.figures(decoded.as_ref());
                     figures.insert("encode_s".to_owned(), *encode_s);
-                    let trust = Trust::of(representation.as_ref(), &known, material, code)?;
+                    let trust = Trust::of(material, code, decoded.as_ref(), &known)?;
                     figures.insert("expected_log_error".to_owned(), trust.expected_log_error);
                     figures.extend(trust.distance.map(|distance| ("distance".to_owned(), distance)));
                     Ok(Measured { name: material.name.clone(), code: code.code.clone(), figures })

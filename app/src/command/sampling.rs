@@ -9,7 +9,7 @@ use nbrdf_core::{Database, Material, atomic};
 use serde_json::{Value, json};
 
 use super::Global;
-use crate::catalog::{Catalog, Reference};
+use crate::catalog::Catalog;
 use crate::measure::sampling::{SamplingRow, sampling};
 use crate::report::svg::{LogChart, Mark, Series};
 use crate::report::table::Table;
@@ -48,11 +48,8 @@ impl Sampling {
         if let Some(path) = &self.output {
             output::check(path, &["svg"])?;
         }
-        let reference = std::sync::Arc::new(Reference::load(self.reference.as_deref())?);
-        let mut catalog = Catalog::new(std::sync::Arc::clone(&reference));
-        if let Some(path) = &self.checkpoint {
-            catalog = catalog.with_checkpoint(path)?;
-        }
+        let catalog = Catalog::for_measuring(self.reference.as_deref(), self.checkpoint.as_deref())?;
+        let reference = catalog.reference();
         let is_merl = |material: &&Material| Database::of(&material.name) == Database::Merl;
         let materials: Vec<&Material> = reference.materials.iter().filter(is_merl).collect();
         if materials.is_empty() {

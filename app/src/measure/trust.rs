@@ -2,14 +2,15 @@
 
 use autoencoder::Autoencoder;
 use nbrdf_core::metric::log_error_estimate;
-use nbrdf_core::{Code, Material, Representation};
+use nbrdf_core::representation::DecodeError;
+use nbrdf_core::{Brdf, Code, Material};
 use serde::Serialize;
 
 use crate::catalog::DIM;
 
 /// Expected `log_error` beyond which a code does not carry its material: nearly twice the largest error among the
 /// validation materials.
-pub const CARRIED: f64 = 0.015;
+const CARRIED: f64 = 0.015;
 
 /// What is known of a code when it has just been made.
 #[derive(Clone, Copy, Debug, Serialize)]
@@ -22,15 +23,9 @@ pub struct Trust {
 }
 
 impl Trust {
-    /// Of the code that `representation` made of `material`.
-    pub fn of(
-        representation: &dyn Representation,
-        known: &Autoencoder,
-        material: &Material,
-        code: &Code,
-    ) -> anyhow::Result<Self> {
-        let decoded = representation.decode(code)?;
-        let expected_log_error = log_error_estimate(material.brdf.as_ref(), decoded.as_ref());
+    /// Of the code of `material` and what it decodes to.
+    pub fn of(material: &Material, code: &Code, decoded: &dyn Brdf, known: &Autoencoder) -> Result<Self, DecodeError> {
+        let expected_log_error = log_error_estimate(material.brdf.as_ref(), decoded);
         Ok(Self { expected_log_error, distance: known.distance(code)? })
     }
 

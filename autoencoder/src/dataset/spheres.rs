@@ -12,10 +12,10 @@ use rayon::prelude::*;
 
 use super::{BATCH, Batch, Batches};
 use crate::loss::{Target, Wanted};
+use crate::model::CHANNEL_ORDERS;
 
 /// Side of the rendered spheres in pixels.
 const SIZE: usize = 64;
-const PERMUTATIONS: [[usize; 3]; 6] = [[0, 1, 2], [0, 2, 1], [1, 0, 2], [1, 2, 0], [2, 0, 1], [2, 1, 0]];
 
 /// Networks and their spheres.
 pub(crate) struct Spheres {
@@ -38,7 +38,7 @@ impl Batches for Spheres {
         let row = |row: usize| {
             let rng = &mut generator(seed, (1 << 32) + (step * BATCH + row) as u64);
             let (weights, values) = &self.networks[rng.random_range(0..self.networks.len())];
-            let order = PERMUTATIONS[rng.random_range(0..PERMUTATIONS.len())];
+            let order = CHANNEL_ORDERS[rng.random_range(0..CHANNEL_ORDERS.len())];
             let values: Vec<Rgb> = values.iter().map(|f| Rgb(order.map(|c| f[c]))).collect();
             let features = features(&self.samples, &values);
             let samples = Arc::clone(&self.samples);

@@ -62,7 +62,10 @@ pub fn edit(
     let steps = (amount.abs() / STEP).ceil() as usize;
     let mut code = code.to_vec();
     let mut now = start;
-    for step in 1..=steps + if steps > 0 { CORRECTIONS } else { 0 } {
+    if steps == 0 {
+        return Ok((code, now));
+    }
+    for step in 1..=steps + CORRECTIONS {
         let share = (step as f64 / steps as f64).min(1.0);
         let missing: Vec<f64> =
             axis.wanted(&start, share * amount).iter().zip(axis.rows(&now)).map(|(wanted, own)| wanted - own).collect();

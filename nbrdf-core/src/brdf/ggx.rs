@@ -7,7 +7,7 @@ use std::f32::consts::FRAC_1_PI;
 
 use pulp::{Simd, WithSimd};
 
-use super::microfacet::{ggx_distribution, ggx_visibility, schlick};
+use super::microfacet::{base_and_lobe, ggx_distribution};
 use super::pairs::{Pairs, where_above};
 use crate::simd::{InstructionSet, LANES, Lanes};
 use crate::{Brdf, Directions, Rgb};
@@ -32,10 +32,7 @@ impl Brdf for Ggx {
             return Rgb::BLACK;
         }
         let alpha = self.alpha.max(SMOOTHEST);
-        let half = (at.light + at.view).normalize();
-        let lobe = ggx_distribution(half, alpha) * ggx_visibility(at.light.z, at.view.z, alpha);
-        let fresnel = schlick(self.f0, at.light.dot(half));
-        self.diffuse.zip(fresnel, |base, f| (base * FRAC_1_PI + lobe * f).min(f32::MAX))
+        base_and_lobe(at, self.diffuse, self.f0, alpha, |half| ggx_distribution(half, alpha))
     }
 
     fn eval_into(&self, at: &[Directions], out: &mut [Rgb]) {

@@ -3,9 +3,7 @@
 //! G is the height-correlated Smith term of GGX whatever the distribution, F is Schlick's; see
 //! [`microfacet`](super::microfacet). As in [`ggx`](super::ggx), the base is not darkened where the lobe reflects.
 
-use std::f32::consts::FRAC_1_PI;
-
-use super::microfacet::{Distribution, ggx_visibility, schlick};
+use super::microfacet::{Distribution, base_and_lobe};
 use crate::{Brdf, Directions, Rgb};
 
 /// A diffuse base and a lobe.
@@ -39,11 +37,8 @@ impl Brdf for Lobed {
         if !at.is_above() {
             return Rgb::BLACK;
         }
-        let half = (at.light + at.view).normalize();
         let alpha = self.alpha.clamp(0.01, 0.99);
-        let lobe = self.distribution.density(half, alpha) * ggx_visibility(at.light.z, at.view.z, alpha);
-        let fresnel = schlick(self.f0, at.light.dot(half));
-        self.diffuse.zip(fresnel, |base, f| (base * FRAC_1_PI + lobe * f).min(f32::MAX))
+        base_and_lobe(at, self.diffuse, self.f0, alpha, |half| self.distribution.density(half, alpha))
     }
 }
 

@@ -7,11 +7,11 @@
 //! E. Heitz, *Understanding the Masking-Shadowing Function in Microfacet-Based BRDFs* (2014), section 6.
 //! Cosines are 0..1, α is the roughness parameter, above 0 and at most 1.
 
-use std::f32::consts::PI;
+use std::f32::consts::{FRAC_1_PI, PI};
 
 use glam::Vec3;
 
-use crate::Rgb;
+use crate::{Directions, Rgb};
 
 /// D of GGX \[1/sr\] at the unit half vector `half` (Walter et al. 2007, eq. 33).
 ///
@@ -79,6 +79,14 @@ pub fn ggx_visibility(cos_i: f32, cos_o: f32, alpha: f32) -> f32 {
 pub fn schlick(f0: Rgb, cos_diff: f32) -> Rgb {
     let grazing = (1.0 - cos_diff).clamp(0.0, 1.0).powi(5);
     f0.map(|f0| f0 + (1.0 - f0) * grazing)
+}
+
+/// k_d/π + D G F / (4 cos θ_i cos θ_o) of a pair above the surface, D from the unit half vector; never infinite.
+pub(super) fn base_and_lobe(at: Directions, diffuse: Rgb, f0: Rgb, alpha: f32, density: impl Fn(Vec3) -> f32) -> Rgb {
+    let half = (at.light + at.view).normalize();
+    let lobe = density(half) * ggx_visibility(at.light.z, at.view.z, alpha);
+    let fresnel = schlick(f0, at.light.dot(half));
+    diffuse.zip(fresnel, |base, f| (base * FRAC_1_PI + lobe * f).min(f32::MAX))
 }
 
 /// Reflectance at normal incidence of a dielectric with index of refraction `ior` in air.

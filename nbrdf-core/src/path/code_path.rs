@@ -18,9 +18,10 @@ impl CodeInterpolation {
     }
 }
 
-struct CodePath {
-    representation: Arc<dyn Representation>,
-    codes: Vec<Vec<f32>>,
+/// Straight between codes.
+pub(super) struct CodePath {
+    pub representation: Arc<dyn Representation>,
+    pub codes: Vec<Vec<f32>>,
 }
 
 impl Interpolation for CodeInterpolation {

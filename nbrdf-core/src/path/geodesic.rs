@@ -13,8 +13,8 @@ use std::sync::Arc;
 use faer::Mat;
 use rayon::prelude::*;
 
-use super::code_path::codes_of;
-use super::{Interpolation, Path, PathError, Weights};
+use super::code_path::{CodePath, codes_of};
+use super::{Interpolation, Path, PathError, Weights, with_weighted_sum};
 use crate::least_squares::damped_step;
 use crate::metric::detour;
 use crate::{Brdf, Code, Material, Representation};
@@ -52,52 +52,46 @@ impl Interpolation for Geodesic {
 
     fn between(&self, ends: &[Material]) -> Result<Box<dyn Path>, PathError> {
         let codes = codes_of(self.representation.as_ref(), ends)?;
-        let knots = match codes.as_slice() {
-            [a, b] => shortest(self.representation.as_ref(), a, b)?,
-            _ => codes,
-        };
-        Ok(Box::new(Knots { representation: Arc::clone(&self.representation), knots, ends: ends.len() }))
+        let representation = Arc::clone(&self.representation);
+        match codes.as_slice() {
+            [a, b] => Ok(Box::new(Knots { knots: shortest(representation.as_ref(), a, b)?, representation })),
+            _ => Ok(Box::new(CodePath { representation, codes })),
+        }
     }
 }
 
-/// Codes, straight from one to the next; with more than two ends, the ends themselves.
+/// Codes from one end to the other, straight from each to the next.
 struct Knots {
     representation: Arc<dyn Representation>,
     knots: Vec<Vec<f32>>,
-    ends: usize,
 }
 
 impl Knots {
-    /// The numbers at these weights. Beyond two ends the path goes on as it came.
-    fn numbers(&self, weights: &Weights) -> Result<Vec<f32>, PathError> {
-        let weights = weights.for_ends(self.ends)?;
-        let sum = |weights: &[f32], codes: &[Vec<f32>]| {
-            let number = |i: usize| weights.iter().zip(codes).map(|(weight, code)| weight * code[i]).sum();
-            (0..codes[0].len()).map(number).collect()
-        };
-        if self.ends != 2 {
-            return Ok(sum(weights, &self.knots));
-        }
+    /// Hands the numbers at these weights to `then`. Beyond the ends the path goes on as it came.
+    fn with_numbers<T>(
+        &self,
+        weights: &Weights,
+        then: impl FnOnce(&[f32]) -> Result<T, PathError>,
+    ) -> Result<T, PathError> {
         let last = self.knots.len() - 1;
-        let place = weights[1] * last as f32;
+        let place = weights.for_ends(2)?[1] * last as f32;
         // NaN becomes 0 here and is refused as a number of the code.
         let before = (place.max(0.0) as usize).min(last - 1);
-        let within = place - before as f32;
-        Ok(sum(&[1.0 - within, within], &self.knots[before..=before + 1]))
+        with_weighted_sum(&Weights::two(place - before as f32), &self.knots[before..=before + 1], then)
     }
 }
 
 impl Path for Knots {
     fn at(&self, weights: &Weights) -> Result<Box<dyn Brdf>, PathError> {
-        Ok(self.representation.decode(&self.representation.code(self.numbers(weights)?))?)
+        self.with_numbers(weights, |code| Ok(self.representation.decode(&self.representation.code(code.to_vec()))?))
     }
 
     fn code(&self, weights: &Weights) -> Result<Option<Code>, PathError> {
-        Ok(Some(self.representation.code(self.numbers(weights)?)))
+        self.with_numbers(weights, |code| Ok(Some(self.representation.code(code.to_vec()))))
     }
 
     fn move_to(&self, weights: &Weights, point: &mut Box<dyn Brdf>) -> Result<(), PathError> {
-        Ok(self.representation.decode_into(&self.numbers(weights)?, point)?)
+        self.with_numbers(weights, |code| Ok(self.representation.decode_into(code, point)?))
     }
 }
 

@@ -69,11 +69,11 @@ impl Environment {
         let shape = LatLong { width: radiance.width(), height: radiance.height() };
         let mut total = 0.0;
         for y in 0..shape.height {
-            let row: f64 = (0..shape.width).map(|x| luminance(radiance.get(x, y))).sum();
+            let row: f64 = (0..shape.width).map(|x| radiance.get(x, y).luminance()).sum();
             total += row * shape.solid_angle(y);
         }
         // In the dark, every direction is as good as any other.
-        let weight = |x, y| if total > 0.0 { luminance(radiance.get(x, y)) } else { 1.0 };
+        let weight = |x, y| if total > 0.0 { radiance.get(x, y).luminance() } else { 1.0 };
         let table = Table::new(shape.width, shape.height, weight, |y| shape.solid_angle(y));
         Self { map: Arc::new(Map { radiance, shape, table, total }), rotation: DMat3::IDENTITY }
     }
@@ -130,14 +130,9 @@ impl Environment {
     fn through(&self, x: usize, y: usize, direction: Vec3) -> EnvironmentSample {
         let radiance = self.map.radiance.get(x, y);
         let lit = self.map.total > 0.0;
-        let pdf = if lit { luminance(radiance) / self.map.total } else { 0.25 / PI };
+        let pdf = if lit { radiance.luminance() / self.map.total } else { 0.25 / PI };
         EnvironmentSample { direction, radiance, pdf }
     }
-}
-
-/// Luminance of linear BT.709; above 0 for every colour but black.
-fn luminance(Rgb([red, green, blue]): Rgb) -> f64 {
-    0.2126 * f64::from(red) + 0.7152 * f64::from(green) + 0.0722 * f64::from(blue)
 }
 
 #[cfg(test)]

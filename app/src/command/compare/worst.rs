@@ -30,29 +30,30 @@ pub fn draw(
     key: &str,
 ) -> Result<()> {
     let sign = if higher_is_better(key) { -1.0 } else { 1.0 };
-    let badness = |i: usize| sign * measured[i].figures.get(key).copied().unwrap_or(f64::NAN);
+    let figure = |i: usize| measured[i].figures.get(key).copied().unwrap_or(f64::NAN);
     let mut order: Vec<usize> = (0..measured.len()).collect();
-    order.sort_by(|&a, &b| badness(b).total_cmp(&badness(a)));
+    order.sort_by(|&a, &b| (sign * figure(b)).total_cmp(&(sign * figure(a))));
     order.truncate(ROWS);
     let cell = Cell::new(SIZE, &Light::studio());
     let row = |&i: &usize| -> Result<Row> {
         let path = method.between(&pairs[i])?;
-        let sphere = |step: u8| -> Result<Image> {
-            let place = Weights::two(f32::from(step) / f32::from(STEPS - 1));
-            Ok(cell.draw(path.at(&place)?.as_ref(), 1.0, ground()))
-        };
-        let spheres = (0..STEPS).map(sphere).collect::<Result<_>>()?;
-        let figure = report::figure(measured[i].figures.get(key).copied().unwrap_or(f64::NAN));
-        Ok(Row { title: measured[i].pair.clone(), name: format!("{key} {figure}"), spheres })
+        let sphere = |t: f32| -> Result<Image> { Ok(cell.draw(path.at(&Weights::two(t))?.as_ref(), 1.0, ground())) };
+        let spheres = places().map(sphere).collect::<Result<_>>()?;
+        Ok(Row { title: measured[i].pair.clone(), name: format!("{key} {}", report::figure(figure(i))), spheres })
     };
     let strip = Strip {
         heading: format!("{title}: the {} worst of {} pairs by {key}", order.len(), measured.len()),
         remark: format!("studio light; {}", unit(key)),
-        columns: (0..STEPS).map(|step| format!("t = {:.2}", f32::from(step) / f32::from(STEPS - 1))).collect(),
+        columns: places().map(|t| format!("t = {t:.2}")).collect(),
         rows: order.par_iter().map(row).collect::<Result<_>>()?,
     };
     let file = folder.join(format!("{}.png", method.name()));
     strip.labelled().write_png(&file).with_context(|| file.display().to_string())
+}
+
+/// Of the spheres on a path.
+fn places() -> impl Iterator<Item = f32> {
+    (0..STEPS).map(|step| f32::from(step) / f32::from(STEPS - 1))
 }
 
 fn unit(key: &str) -> &'static str {
