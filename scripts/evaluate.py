@@ -3,8 +3,8 @@
     nbrdf evaluate --per-material --json > evaluate.json
     python scripts/evaluate.py --report evaluate.json --checkpoint znbrdf.safetensors
 
-feed_forward: the held-out reference networks are encoded and decoded here. unrolled, refined: the report's codes are
-decoded here.
+feed_forward: the held-out reference networks are encoded and decoded here. unrolled, refined: the steps that made the
+report's codes are not repeated; the codes are decoded here.
 Exit codes: 0 all means agree, 1 some disagree, 2 usage, 3 a file is missing or invalid.
 """
 

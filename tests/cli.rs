@@ -246,12 +246,13 @@ fn hostile_archives_exit_with_3_and_write_nothing() {
 fn what_cannot_be_written_exits_with_3_and_leaves_nothing() {
     let place = Place::new();
     std::fs::create_dir(place.path().join("taken.png")).unwrap();
-    let commands: [&[&str]; 5] = [
+    let commands: [&[&str]; 6] = [
         &["render", "chrome", "-o", "nowhere/x.png"],
         &["render", "chrome", "-o", "taken.png"],
         &["blend", "chrome", "blue-fabric", "-o", "nowhere/x.png"],
         &["encode", "chrome", "-o", "nowhere/x.json"],
         &["train", "-o", "nowhere/x.safetensors"],
+        &["compare", "--pictures", "/dev/null/folder"],
     ];
     for command in commands {
         assert!(place.run(command).fails(3).contains("cannot be written"));
@@ -295,6 +296,29 @@ fn training_gives_the_same_checkpoint_for_any_number_of_threads_and_its_codes_ar
     place.run_with_input(&["decode", "-", "-o", "x.npz", "--checkpoint", "b.safetensors"], &code).ok();
     place.run_with_input(&["decode", "-", "-o", "y.npz"], &code).fails(3);
     place.run(&["encode", "chrome", "--checkpoint", "x.npz"]).fails(3);
+}
+
+#[test]
+fn comparing_draws_the_worst_pairs_and_names_them() {
+    let place = Place::new();
+    let quick = ["compare", "--method", "latent", "--method", "log_mix", "--pairs", "2", "--no-families", "--json"];
+    let drawn = ["--pictures", "worst", "--worst-by", "step_ratio"];
+    let report = place.run(&[&quick[..], &drawn].concat()).json();
+    assert_eq!(report["methods"][0]["step_ratio"]["worst"].as_array().unwrap().len(), 2);
+    for name in ["latent", "log_mix"] {
+        assert!(place.file(&format!("worst/{name}.png")).starts_with(b"\x89PNG"));
+    }
+    place.run(&[&quick[..], &["--pictures", "worst", "--worst-by", "beauty"]].concat()).fails(2);
+    place.run(&[&quick[..], &["--worst-by", "step_ratio"]].concat()).fails(2);
+}
+
+#[test]
+fn a_library_without_held_out_materials_has_no_axes_to_show() {
+    let place = Place::new();
+    place.write("one.npz", &chrome_npz());
+    place.run(&["import", "one.npz", "-o", "one"]).ok();
+    let said = place.run(&["axes", "--reference", "one"]).fails(3);
+    assert!(said.contains("held-out"), "{said}");
 }
 
 #[test]

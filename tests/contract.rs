@@ -240,12 +240,15 @@ fn no_name_is_there_twice() {
 #[test]
 fn training_interrupted_and_resumed_writes_the_same_bytes() {
     use autoencoder::{Architecture, TrainError, TrainOptions, TrainingData, train};
+    use nbrdf::families::{random_materials, random_walks};
     use std::ops::ControlFlow;
 
     let measured = ["chrome", "blue-fabric"].map(material);
     let networks: Vec<_> = measured.iter().filter_map(|material| material.network.clone()).collect();
-    let data = TrainingData { measured: &measured, analytic: &[], walks: &[], networks: &networks, start: None };
-    let options = TrainOptions { steps: 110, analytic_share: 0.0, ..TrainOptions::new(Architecture::Znbrdf) };
+    let (analytic, walks) = (random_materials(1, 3), random_walks(1, 3));
+    let data =
+        TrainingData { measured: &measured, analytic: &analytic, walks: &walks, networks: &networks, start: None };
+    let options = TrainOptions { steps: 110, ..TrainOptions::new(Architecture::Znbrdf) };
     let folder = tempfile::tempdir().unwrap();
     let [straight, broken] = ["straight.safetensors", "broken.safetensors"].map(|name| folder.path().join(name));
     train(&data, &options, &straight, false, &mut |_, _| ControlFlow::Continue(())).unwrap();

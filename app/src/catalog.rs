@@ -150,7 +150,7 @@ pub const INTERPOLATIONS: &[InterpolationEntry] = &[
     InterpolationEntry {
         name: "latent_geodesic",
         title: "Latent, shortest",
-        about: "the shortest way between ZNBRDF codes in ΔE_ITP, no colour between that is in neither end",
+        about: "the shortest way between ZNBRDF codes in ΔE_ITP, colours kept near those of the ends",
         build: |catalog| {
             let shortest = Geodesic::new("latent_geodesic", catalog.znbrdf());
             Ok(bounded(Even::new("latent_geodesic", Box::new(shortest))))

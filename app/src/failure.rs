@@ -60,7 +60,7 @@ fn invalid_checkpoint(error: &CheckpointError) -> bool {
 
 fn invalid_training(error: &TrainError) -> bool {
     match error {
-        TrainError::OtherRun { .. } | TrainError::TooFew { .. } => true,
+        TrainError::OtherRun { .. } | TrainError::TooFew { .. } | TrainError::Encode(_) => true,
         TrainError::Checkpoint(error) => invalid_checkpoint(error),
         _ => false,
     }

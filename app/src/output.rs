@@ -29,6 +29,13 @@ pub fn check_writable(path: &Path) -> Result<()> {
     atomic::check(path).map_err(|error| refused(error).into())
 }
 
+/// Makes a folder to write into, and refuses one that cannot be written into.
+pub fn make_folder(folder: &Path) -> Result<()> {
+    let refused = |error| Failure::InvalidFile(format!("{}: cannot be written: {error}", folder.display()));
+    let writable = std::fs::create_dir_all(folder).and_then(|()| atomic::check(&folder.join(".nbrdf")));
+    writable.map_err(|error| refused(error).into())
+}
+
 /// Writes a picture in the form of its extension.
 pub fn write_picture(path: &Path, picture: &Image) -> Result<()> {
     match path.extension().is_some_and(|extension| extension == "exr") {

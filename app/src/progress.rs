@@ -4,6 +4,7 @@ use std::io::IsTerminal;
 use std::sync::OnceLock;
 use std::sync::atomic::{AtomicBool, Ordering};
 
+use anyhow::{Result, bail};
 use indicatif::{ProgressBar, ProgressStyle};
 
 /// A bar of `length` steps on stderr; hidden when quiet or when stderr is no terminal.
@@ -27,4 +28,9 @@ pub fn cancelled() -> bool {
         let _ = ctrlc::set_handler(|| STOP.store(true, Ordering::Relaxed));
     });
     STOP.load(Ordering::Relaxed)
+}
+
+/// Ends the work when the user has asked to stop.
+pub fn check() -> Result<()> {
+    if cancelled() { bail!("cancelled") } else { Ok(()) }
 }

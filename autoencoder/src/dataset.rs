@@ -173,3 +173,40 @@ impl Batches for Pool {
         Batch { input: inputs.concat(), places, targets }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use nbrdf_core::Material;
+    use nbrdf_core::brdf::lambert::Lambert;
+
+    use super::*;
+
+    fn grey(albedo: f32) -> Arc<dyn Brdf> {
+        Arc::new(Lambert { albedo: Rgb::splat(albedo) })
+    }
+
+    #[test]
+    fn a_batch_holds_materials_then_starts_then_ends_of_walks() {
+        let measured = [0.2, 0.8].map(|albedo| Material::new("grey", grey(albedo)));
+        let walks = [Walk { ends: [grey(0.1), grey(0.9)], t: 0.25, between: grey(0.3) }];
+        let data = TrainingData { measured: &measured, analytic: &[], walks: &walks, networks: &[], start: None };
+        let pool = Pool::new(&data, 0.0, 0);
+        let Batch { input, places, targets } = pool.batch(0, 0);
+        let known = BATCH + WALKS + COLOUR_WALKS;
+        assert_eq!((targets.len(), places.len()), (known, WALKS + COLOUR_WALKS));
+        assert!(places[..WALKS].iter().all(|&t| t == 0.25));
+        let columns = input.len() / (known + places.len());
+        let row = |row: usize| &input[row * columns..(row + 1) * columns];
+        let features = |albedo: f32| pool.probes.features(&pool.probes.probe(grey(albedo).as_ref()));
+        for walk in 0..WALKS {
+            assert_eq!(row(BATCH + walk), features(0.1), "start {walk}");
+            assert_eq!(row(known + walk), features(0.9), "end {walk}");
+            let Wanted::Features(wanted) = &targets[BATCH + walk].wanted else { panic!("a walk with a known middle") };
+            let samples = &targets[BATCH + walk].samples;
+            assert_eq!(*wanted, objective_features(samples, &samples.values(grey(0.3).as_ref())));
+        }
+        assert!(targets[BATCH + WALKS..].iter().all(|target| matches!(target.wanted, Wanted::Between(_))));
+        assert_eq!(pool.batch(0, 0).input, input, "the same step gives the same batch");
+        assert_ne!(pool.batch(0, 1).input, input);
+    }
+}

@@ -2,8 +2,10 @@
 
 use candle_core::{Device, Tensor};
 use nbrdf_core::axis::Prior;
+use nbrdf_core::representation::EncodeError;
 use nbrdf_core::representation::refined::{Effort, refine};
 use nbrdf_core::{Material, Representation};
+use rayon::prelude::*;
 
 use crate::Autoencoder;
 use crate::checkpoint::{Checkpoint, CheckpointError, invalid};
@@ -31,7 +33,7 @@ impl Known {
         if shape.len() != 2 || shape[0] < 2 || shape[1] != DIM {
             return Err(invalid(
                 &file.path,
-                format!("tensor '{NAME}' of shape [materials, {DIM}]"),
+                format!("tensor '{NAME}' of shape [2 or more, {DIM}]"),
                 format!("{shape:?}"),
             ));
         }
@@ -76,16 +78,18 @@ fn reordered(code: &[f32], order: [usize; 3]) -> Vec<f32> {
     code[..SHARED].iter().chain(order.into_iter().flat_map(channel)).copied().collect()
 }
 
-/// The codes of training materials as encoding makes them, unrolled steps included, for the checkpoint.
-pub(crate) fn learn(autoencoder: &Autoencoder, materials: &[Material]) -> candle_core::Result<(String, Tensor)> {
+/// The codes of training materials as encoding makes them, unrolled steps included.
+pub(crate) fn codes(autoencoder: &Autoencoder, materials: &[Material]) -> Result<Vec<Vec<f32>>, EncodeError> {
     let code = |material: &Material| {
         let own = autoencoder.encode(material)?;
-        refine(autoencoder, &own, material.brdf.as_ref(), Effort::BRIEF)
+        Ok(refine(autoencoder, &own, material.brdf.as_ref(), Effort::BRIEF)?.code)
     };
-    let codes: Vec<f32> =
-        materials.iter().filter_map(|material| code(material).ok()).flat_map(|code| code.code).collect();
-    let rows = codes.len() / DIM;
-    Ok((NAME.into(), Tensor::from_vec(codes, (rows, DIM), &Device::Cpu)?))
+    materials.par_iter().map(code).collect()
+}
+
+/// Such codes, for the checkpoint.
+pub(crate) fn tensor(codes: &[Vec<f32>]) -> candle_core::Result<(String, Tensor)> {
+    Ok((NAME.into(), Tensor::from_vec(codes.concat(), (codes.len(), DIM), &Device::Cpu)?))
 }
 
 #[cfg(test)]

@@ -7,7 +7,7 @@ use candle_core::{Device, Tensor};
 use nbrdf_core::nbrdf::fit::{cosine, generator};
 use nbrdf_core::sampler::curvature::Valley;
 use nbrdf_core::sampler::lobe::Lobe;
-use nbrdf_core::{Brdf, Material, Representation};
+use nbrdf_core::{Brdf, Representation};
 use rand::RngExt;
 use rayon::prelude::*;
 
@@ -61,13 +61,13 @@ fn standardized(code: &[f32], mean: &[f32], spread: &[f32]) -> Vec<f32> {
 
 /// Learns lobes of the codes of training materials and of mixes of two; the tensors for the checkpoint.
 ///
-/// Same autoencoder, materials and seed, same bits.
+/// Same autoencoder, codes and seed, same bits.
 pub(crate) fn learn(
     autoencoder: &Autoencoder,
-    materials: &[Material],
+    codes: Vec<Vec<f32>>,
     seed: u64,
 ) -> candle_core::Result<Vec<(String, Tensor)>> {
-    let examples = examples(autoencoder, materials, seed);
+    let examples = examples(autoencoder, codes, seed);
     if examples.is_empty() {
         candle_core::bail!("no material to learn lobes from");
     }
@@ -102,9 +102,7 @@ pub(crate) fn learn(
 }
 
 /// Codes and what lobes cost for them. Materials are taken as the code decodes to: that is what will be sampled.
-fn examples(autoencoder: &Autoencoder, materials: &[Material], seed: u64) -> Vec<(Vec<f32>, Valley)> {
-    let codes: Vec<Vec<f32>> =
-        materials.par_iter().filter_map(|material| Some(autoencoder.encode(material).ok()?.code)).collect();
+fn examples(autoencoder: &Autoencoder, codes: Vec<Vec<f32>>, seed: u64) -> Vec<(Vec<f32>, Valley)> {
     let mut rng = generator(seed, 21);
     let mut all = codes.clone();
     for _ in 0..if codes.len() < 2 { 0 } else { MIXES } {

@@ -93,8 +93,9 @@ fn write(data: &TrainingData, options: &TrainOptions, model: &dyn Model, out: &P
     let mut tensors = tensors_of(model);
     if options.architecture == Architecture::Znbrdf {
         let trained = Autoencoder::of(options.architecture, &Checkpoint::of(model)?)?;
-        tensors.push(known::learn(&trained, data.measured)?);
-        tensors.extend(lobe::learn(&trained, data.measured, options.seed)?);
+        let codes = known::codes(&trained, data.measured)?;
+        tensors.push(known::tensor(&codes)?);
+        tensors.extend(lobe::learn(&trained, codes, options.seed)?);
         let (probes, cosines) = probe_tensors();
         tensors.push(("probes".into(), Tensor::from_vec(probes, (PROBES, 6), &Device::Cpu)?));
         tensors.push(("probe_cosine".into(), Tensor::from_vec(cosines, PROBES, &Device::Cpu)?));

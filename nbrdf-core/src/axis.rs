@@ -8,6 +8,9 @@ use serde::Serialize;
 
 use crate::quality::Qualities;
 
+/// Chroma below which a material counts as grey: its hue is rounding.
+pub const GREY: f64 = 0.02;
+
 /// A quality that can be moved.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
@@ -65,6 +68,12 @@ impl Axis {
         if self == Self::Hue { difference - difference.round() } else { difference }
     }
 
+    /// How much of a move by `amount` was not made; a hue's the shorter way round.
+    pub fn missed(self, from: &Qualities, to: &Qualities, amount: f64) -> f64 {
+        let missed = amount - self.difference(from, to);
+        if self == Self::Hue { missed - missed.round() } else { missed }
+    }
+
     /// What is prescribed, moved quality and held ones. Lightness takes the highlight with it, gloss leaves the body
     /// alone, metalness trades body for highlight: three names for two amounts of light.
     fn rows(self, q: &Qualities) -> [f64; 6] {
@@ -87,9 +96,11 @@ impl Axis {
                 q.colour = [cos * u - sin * v, sin * u + cos * v];
             }
             Self::Chroma => {
-                let length = q.colour[0].hypot(q.colour[1]).max(1e-6);
-                let factor = (1.0 + 0.1 * amount / length).max(0.0);
-                q.colour = q.colour.map(|v| v * factor);
+                let [u, v] = q.colour;
+                let length = u.hypot(v);
+                // Perfect grey has no direction of its own: it turns red.
+                let direction = if length > 1e-6 { [u / length, v / length] } else { [1.0, 0.0] };
+                q.colour = direction.map(|d| d * (length + 0.1 * amount).max(0.0));
             }
             Self::Gloss => q.gloss += amount,
             Self::Roughness => q.roughness += amount,

@@ -26,9 +26,10 @@ pub use psnr::{PSNR_CAP, mae, psnr, rmse};
 pub use relative_log::{RelativeLog, relative_log};
 pub use rendered::Rendered;
 pub use smoothness::{
-    Smoothness, chromaticity_and_slopes, detour, distance_from_segment, hue_excursion, mean_chromaticity,
+    Smoothness, change_of_detour, chromaticity_and_slopes, detour, distance_from_segment, hue_excursion,
+    mean_chromaticity,
 };
-pub use spread::Spread;
+pub use spread::{Spread, badness};
 pub use ssim::ssim;
 
 use crate::Brdf;

@@ -25,8 +25,6 @@ const WIDEST: f32 = 1.15;
 const BODY_FROM: f32 = 0.95;
 /// θ_diff of the profile \[rad\].
 const DIFF: f32 = 0.35;
-/// u′v′ of equal channels.
-const WHITE: [f64; 2] = [0.1978, 0.4683];
 
 /// The measured qualities.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
@@ -35,9 +33,9 @@ pub struct Qualities {
     pub lightness: f64,
     /// u′v′ of the same albedo, from white.
     pub colour: [f64; 2],
-    /// Cube root of the share of light in the highlight, 0..1.
+    /// Cube root of the share of light in the highlight: 0 for none, 1 for all of it, more where light is made.
     pub gloss: f64,
-    /// Square root of the highlight's RMS half angle \[√rad\], 0..1.
+    /// Square root of the highlight's RMS half angle \[√rad\]: 0 for a mirror, 1.07 at most.
     pub roughness: f64,
     /// Share of the highlight in all that is reflected, 0..1.
     pub metalness: f64,
@@ -103,11 +101,11 @@ impl Qualities {
         // dω_i = 4 cos θ_diff dω_half
         let highlight = 2.0 * f64::from(PI) * 4.0 * f64::from(DIFF.cos()) * energy;
         let diffuse = f64::from(PI) * body.max(0.0);
-        let (colour, _) = chromaticity_and_slopes(front);
+        let [colour, white] = [front, [1.0; 3]].map(|linear| chromaticity_and_slopes(linear).0);
         let front = luminance(front);
         Self {
             lightness: lightness(front),
-            colour: [colour[0] - WHITE[0], colour[1] - WHITE[1]],
+            colour: [colour[0] - white[0], colour[1] - white[1]],
             gloss: highlight.cbrt(),
             roughness: (second / energy.max(1e-12)).sqrt().sqrt(),
             metalness: highlight / (highlight + diffuse).max(1e-9),

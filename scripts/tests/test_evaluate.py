@@ -34,7 +34,8 @@ def honest(networks, checkpoint):
     reference = jnp.asarray(np.stack([read[name] for name in names]))
     codes = jax.vmap(model.encode)(reference)
     moved = codes + 0.1
-    rows = [row(v, names, c, judge(reference, jax.vmap(model.decode)(c))) for v, c in (("feed_forward", codes), ("refined", moved))]
+    variants = (("unrolled", codes - 0.1), ("feed_forward", codes), ("refined", moved))
+    rows = [row(variant, names, c, judge(reference, jax.vmap(model.decode)(c))) for variant, c in variants]
     other = {"name": "pca_32", "variant": "projection", "log_error": {"mean": 1.0}}
     return {"schema": 1, "reference": "builtin", "rows": [other, *rows]}
 
@@ -48,10 +49,10 @@ def run(report, networks, checkpoint, tmp_path, *more):
 def test_an_honest_report_is_confirmed(honest, networks, checkpoint, tmp_path, capsys):
     assert run(honest, networks, checkpoint, tmp_path) == 0
     out = capsys.readouterr().out
-    assert "feed_forward" in out and "refined" in out and "DISAGREES" not in out
+    assert "unrolled" in out and "feed_forward" in out and "refined" in out and "DISAGREES" not in out
 
 
-@pytest.mark.parametrize("which", [1, 2])
+@pytest.mark.parametrize("which", [1, 2, 3])
 @pytest.mark.parametrize("key", KEYS)
 def test_a_wrong_mean_is_caught(honest, networks, checkpoint, tmp_path, capsys, which, key):
     honest["rows"][which][key]["mean"] *= 1.01
@@ -60,13 +61,15 @@ def test_a_wrong_mean_is_caught(honest, networks, checkpoint, tmp_path, capsys, 
     assert run(honest, networks, checkpoint, tmp_path, "--tolerance", "0.02") == 0
 
 
-def test_a_refined_code_that_is_not_the_one_measured_is_caught(honest, networks, checkpoint, tmp_path):
-    honest["rows"][2]["materials"][0]["code"][0] += 1.0
-    assert run(honest, networks, checkpoint, tmp_path) == 1
+def test_an_unrolled_or_refined_code_that_is_not_the_one_measured_is_caught(honest, networks, checkpoint, tmp_path):
+    for which in (1, 3):
+        honest["rows"][which]["materials"][0]["code"][0] += 1.0
+        assert run(honest, networks, checkpoint, tmp_path) == 1
+        honest["rows"][which]["materials"][0]["code"][0] -= 1.0
 
 
 def test_a_missing_held_out_material_is_refused(honest, networks, checkpoint, tmp_path, capsys):
-    honest["rows"][1]["materials"].pop()
+    honest["rows"][2]["materials"].pop()
     assert run(honest, networks, checkpoint, tmp_path) == 3
     assert "m7" in capsys.readouterr().err
 

@@ -37,7 +37,9 @@ fn an_encoding_says_what_error_to_expect_and_warns_of_what_a_code_does_not_carry
     assert!(expected > 0.0 && expected < 0.015, "{expected}");
     assert!(known["distance"].as_f64().unwrap() < 1.0, "gold-paint is a training material");
     let foreign = place.run(&["encode", "rgl/vch_ultra_pink"]);
-    assert!(foreign.talk().contains("keep the network"));
+    assert!(foreign.talk().contains("keep the network, or try --refine"));
+    let refined = place.run(&["encode", "rgl/vch_ultra_pink", "--refine"]).talk();
+    assert!(!refined.contains("--refine"), "{refined}");
     assert!(foreign.json()["expected_log_error"].as_f64().unwrap() > 0.015);
 }
 
@@ -51,6 +53,11 @@ fn an_edit_writes_a_code_that_is_rendered_and_refuses_what_is_no_quality() {
     place.run(&["render", "edited.json", "-o", "edited.png", "--size", "32"]).text();
     let report = place.run(&["edit", "edited.json", "gloss-0.02", "-o", "twice.json", "--json"]).json();
     assert!(report["after"]["gloss"].as_f64().unwrap() < report["before"]["gloss"].as_f64().unwrap());
+    // Further than half a turn is not short of it.
+    let turned = place.run(&["edit", "gold-paint", "hue+0.6", "-o", "turned.json"]);
+    assert!(!turned.talk().contains("hue"), "{}", turned.talk());
+    let short = place.run(&["edit", "chrome", "metalness+0.9", "-o", "short.json"]);
+    assert!(short.talk().contains("not by +0.900"), "{}", short.talk());
     for wrong in ["shine+0.1", "gloss", "gloss+2"] {
         place.run(&["edit", "gold-paint", wrong]).fails(2);
     }

@@ -19,6 +19,8 @@ use crate::failure::Failure;
 pub struct Catalog {
     reference: Arc<Reference>,
     checkpoint: Option<Arc<Autoencoder>>,
+    /// Whether bases leave out the validation materials.
+    validate: bool,
     pca_tables: OnceLock<Arc<PcaTables>>,
     pca_weights: OnceLock<Arc<WithNetwork<PcaWeights>>>,
 }
@@ -26,7 +28,7 @@ pub struct Catalog {
 impl Catalog {
     /// Bases are learned from the training materials among these.
     pub const fn new(reference: Arc<Reference>) -> Self {
-        Self { reference, checkpoint: None, pca_tables: OnceLock::new(), pca_weights: OnceLock::new() }
+        Self { reference, checkpoint: None, validate: false, pca_tables: OnceLock::new(), pca_weights: OnceLock::new() }
     }
 
     /// For measuring: against this library or the default reference, with this checkpoint or the built-in one.
@@ -46,6 +48,12 @@ impl Catalog {
             return Err(Failure::InvalidFile(format!("{}: expected znbrdf, found {found}", path.display())).into());
         }
         Ok(Self { checkpoint: Some(Arc::new(loaded)), ..self })
+    }
+
+    /// With bases that have not seen the validation materials either.
+    pub const fn without_validation(mut self) -> Self {
+        self.validate = true;
+        self
     }
 
     /// What errors are measured against.
@@ -116,7 +124,11 @@ impl Catalog {
 
     /// The MERL materials that may be learned from.
     fn training(&self, materials: &[Material]) -> Vec<Material> {
-        let may_learn = |name: &str| Database::of(name) == Database::Merl && Split::of(name).is_training();
+        let may_learn = |name: &str| {
+            let split = Split::of(name);
+            Database::of(name) == Database::Merl
+                && if self.validate { split == Split::Train } else { split.is_training() }
+        };
         materials.iter().filter(|material| may_learn(&material.name)).cloned().collect()
     }
 }

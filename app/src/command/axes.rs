@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use anyhow::{Context, Result, bail};
+use anyhow::{Context, Result};
 use clap::Args;
 use nbrdf_core::axis::{Axis, Prior, edit};
 use nbrdf_core::metric::Spread;
@@ -13,6 +13,7 @@ use serde_json::{Map, Value, json};
 
 use super::Global;
 use crate::catalog::Catalog;
+use crate::failure::Failure;
 use crate::report::table::Table;
 use crate::{progress, report};
 
@@ -51,15 +52,17 @@ impl Axes {
         let prior = known.prior().context("this model remembers no materials to learn axes from")?;
         let representation = catalog.representation(known.name(), false)?;
         let materials = reference.of(Database::Merl, Split::HeldOut);
+        if materials.is_empty() {
+            let found = format!("reference '{}': expected held-out MERL materials to edit, found none", reference.kind);
+            return Err(Failure::InvalidFile(found).into());
+        }
         let codes = materials.iter().map(|m| Ok((m.name.clone(), representation.encode(m)?.code)));
         let codes: Vec<(String, Vec<f32>)> = codes.collect::<Result<_>>()?;
         let bar = progress::bar((codes.len() * Axis::ALL.len()) as u64, "editing", global.quiet);
         let mut rows = Vec::new();
         for axis in Axis::ALL {
             let one = |(name, code): &(String, Vec<f32>)| {
-                if progress::cancelled() {
-                    bail!("cancelled");
-                }
+                progress::check()?;
                 let walk = walk(known.as_ref(), &prior, name, code, axis)?;
                 bar.inc(1);
                 Ok(walk)

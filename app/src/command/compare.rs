@@ -5,7 +5,7 @@ mod worst;
 use std::collections::BTreeMap;
 use std::path::PathBuf;
 
-use anyhow::{Context, Result, bail};
+use anyhow::{Context, Result};
 use clap::Args;
 use nbrdf_core::metric::Spread;
 use nbrdf_core::{Database, Interpolation, Material};
@@ -15,11 +15,11 @@ use serde_json::{Map, Value, json};
 use super::Global;
 use crate::catalog::{Catalog, INTERPOLATIONS, Reference};
 use crate::failure::Failure;
-use crate::measure::families::{FittedFamily, LOBES};
+use crate::measure::families::{Family, FamilyLobe, FittedFamily, LOBES};
 use crate::measure::higher_is_better;
 use crate::measure::path_quality::path_quality;
 use crate::report::table::Table;
-use crate::{progress, report};
+use crate::{output, progress, report};
 
 /// Distance of the second end in the sorted names.
 const OFFSET: usize = 37;
@@ -62,27 +62,25 @@ impl Compare {
     pub fn run(&self, global: &Global) -> Result<()> {
         let catalog = Catalog::for_measuring(self.reference.as_deref(), self.checkpoint.as_deref())?;
         let reference = catalog.reference();
-        if let Some(folder) = &self.pictures {
-            std::fs::create_dir_all(folder).with_context(|| format!("{}: cannot be made", folder.display()))?;
-        }
         let names: Vec<&str> = match self.methods.as_slice() {
             [] => INTERPOLATIONS.iter().map(|entry| entry.name).collect(),
             chosen => chosen.iter().map(String::as_str).collect(),
         };
         let methods = names.iter().map(|name| catalog.interpolation(name)).collect::<Result<Vec<_>>>()?;
         let pairs = self.pairs(reference)?;
+        if let Some(folder) = &self.pictures {
+            output::make_folder(folder)?;
+        }
         let families: Vec<FittedFamily> = match self.no_families {
             true => Vec::new(),
-            false => FittedFamily::all().into_par_iter().map(|pair| FittedFamily::fit(pair, global.seed())).collect(),
+            false => fitted_families(global)?,
         };
         let bar = progress::bar((pairs.len() * methods.len()) as u64, "comparing", global.quiet);
         let mut rows = Vec::new();
         for method in &methods {
             bar.set_message(method.name());
             let one = |ends: &[Material; 2]| {
-                if progress::cancelled() {
-                    bail!("cancelled");
-                }
+                progress::check()?;
                 let figures = path_quality(method.as_ref(), ends)?;
                 bar.inc(1);
                 Ok(Measured { pair: format!("{} > {}", ends[0].name, ends[1].name), figures })
@@ -115,6 +113,22 @@ impl Compare {
         let pair = |i: usize| [merl[i].clone(), merl[(i + OFFSET) % merl.len()].clone()];
         Ok((0..merl.len()).take(self.pairs.map_or(usize::MAX, std::num::NonZeroUsize::get)).map(pair).collect())
     }
+}
+
+fn fitted_families(global: &Global) -> Result<Vec<FittedFamily>> {
+    let all = FittedFamily::all();
+    let bar = progress::bar(all.len() as u64, "families", global.quiet);
+    let one = |pair| {
+        let fitted = FittedFamily::fit(pair, global.seed(), &progress::cancelled);
+        progress::check()?;
+        let (family, lobe): (&Family, &FamilyLobe) = pair;
+        let fitted = fitted.with_context(|| format!("family {} of {}: no network fits", family.name, lobe.name))?;
+        bar.inc(1);
+        Ok(fitted)
+    };
+    let fitted = all.into_par_iter().map(one).collect();
+    bar.finish_and_clear();
+    fitted
 }
 
 fn row(method: &dyn Interpolation, measured: &[Measured], families: &[FittedFamily]) -> Result<Value> {

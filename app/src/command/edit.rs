@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use anyhow::{Context, Result};
 use clap::Args;
-use nbrdf_core::axis::{Axis, edit};
+use nbrdf_core::axis::{Axis, GREY, edit};
 use nbrdf_core::quality::Qualities;
 use nbrdf_core::{Code, Representation, atomic};
 use serde_json::{Value, json};
@@ -96,14 +96,19 @@ impl Edit {
 }
 
 fn warn_if_short(global: &Global, axis: Axis, amount: f64, [from, to]: [&Qualities; 2]) -> Result<()> {
-    let moved = axis.difference(from, to);
-    match moved / amount {
-        share if amount == 0.0 || share >= REACHED => Ok(()),
-        _ => global.warn(format_args!(
-            "{} moved by {moved:+.3}, not by {amount:+.3}: no code of a likely material goes further",
-            axis.name()
-        )),
+    let missed = axis.missed(from, to, amount) / amount;
+    // NaN is short, too.
+    if amount == 0.0 || missed <= 1.0 - REACHED {
+        return Ok(());
     }
+    if axis == Axis::Hue && Axis::Chroma.value(from) < GREY {
+        return global.warn(format_args!("grey has no hue to turn: move chroma first, as in chroma+0.2"));
+    }
+    let moved = axis.difference(from, to);
+    global.warn(format_args!(
+        "{} moved by {moved:+.3}, not by {amount:+.3}: no code of a likely material goes further",
+        axis.name()
+    ))
 }
 
 fn summary(code: &Code, before: &Qualities, now: &Qualities) -> Value {

@@ -43,7 +43,8 @@ impl Encode {
         let code = representation.encode(&item.material)?;
         let decoded = representation.decode(&code)?;
         let trust = Trust::of(&item.material, &code, decoded.as_ref(), &shelf.catalog.autoencoder())?;
-        if let Some(advice) = trust.advice(&item.material.name) {
+        let can_refine = !self.refine && shelf.catalog.representation(&self.representation, true).is_ok();
+        if let Some(advice) = trust.advice(&item.material.name, can_refine) {
             global.warn(format_args!("{advice}"))?;
         }
         let code = Code {

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::path::PathBuf;
 use std::time::Instant;
 
-use anyhow::{Result, bail};
+use anyhow::Result;
 use clap::Args;
 use nbrdf_core::cost::{Given, REPEATS, Track};
 use nbrdf_core::metric::Spread;
@@ -14,6 +14,7 @@ use serde_json::{Map, Value, json};
 
 use super::Global;
 use crate::catalog::{Catalog, REPRESENTATIONS, RepresentationEntry};
+use crate::failure::Failure;
 use crate::measure::calibration::{Calibration, Judged};
 use crate::measure::{Target, Trust, higher_is_better};
 use crate::report::table::Table;
@@ -34,8 +35,8 @@ pub struct Evaluate {
     /// Report every material, with its code.
     #[arg(long)]
     per_material: bool,
-    /// Measure the validation materials instead: for choosing among checkpoints trained with --validate (the PCA
-    /// bases have seen these materials).
+    /// Measure the validation materials instead, which PCA bases then have not seen: for choosing among checkpoints
+    /// trained with --validate.
     #[arg(long)]
     validate: bool,
 }
@@ -62,6 +63,7 @@ impl Evaluate {
     /// Runs the command.
     pub fn run(&self, global: &Global) -> Result<()> {
         let catalog = Catalog::for_measuring(self.reference.as_deref(), self.checkpoint.as_deref())?;
+        let catalog = if self.validate { catalog.without_validation() } else { catalog };
         let reference = catalog.reference();
         for name in &self.with {
             catalog.representation(name, false)?;
@@ -75,7 +77,9 @@ impl Evaluate {
             .filter(|(_, materials)| !materials.is_empty())
             .collect();
         if sets.is_empty() {
-            bail!("the reference '{}' holds no material to measure on", reference.kind);
+            let split = if self.validate { "validation" } else { "held-out" };
+            let found = format!("reference '{}': expected {split} materials, found none", reference.kind);
+            return Err(Failure::InvalidFile(found).into());
         }
         let total: usize = sets.iter().map(|(_, materials)| materials.len()).sum();
         let bar = progress::bar((total * entries.len()) as u64, "evaluating", global.quiet);
@@ -89,9 +93,7 @@ impl Evaluate {
                 let representation = entry.build(&catalog)?;
                 // One after the other: side by side, their times would tell of each other.
                 let encode = |material: &&Material| {
-                    if progress::cancelled() {
-                        bail!("cancelled");
-                    }
+                    progress::check()?;
                     let start = Instant::now();
                     let code = representation.encode(material)?;
                     bar.inc(1);

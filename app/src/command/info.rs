@@ -16,6 +16,8 @@ use crate::report;
 
 /// Viewing angles at which albedo is told \[degrees\].
 const ANGLES: [u16; 5] = [0, 30, 60, 75, 85];
+/// Distance from known materials from where on a code is called far: twice of what these are apart.
+const FAR: f64 = 2.0;
 
 /// Tells albedo, energy, reciprocity, size, and how well the model knows a material.
 #[derive(Debug, Args)]
@@ -139,7 +141,7 @@ impl Text<'_> {
         line("negative_share", format!("{:.4}  below 0 before the clamp", physics.negative_share));
         line("after its code", format!("log_error {:.4}, studio_psnr {:.1} dB", known.log_error, known.studio_psnr));
         if let Some(distance) = known.distance {
-            let verdict = if distance > 2.0 { "far from all that training saw" } else { "near what training saw" };
+            let verdict = if distance > FAR { "far from all that training saw" } else { "near what training saw" };
             line("code's distance", format!("{distance:.2}  {verdict}; 1 is how far training materials are apart"));
         }
         lines.join("\n") + "\n"

@@ -2,14 +2,15 @@
 
 use std::path::PathBuf;
 
-use anyhow::{Context, Result, bail};
+use anyhow::{Context, Result};
 use clap::Args;
 use nbrdf_core::metric::Spread;
-use nbrdf_core::{Database, Material, atomic};
+use nbrdf_core::{Database, Material, Representation, atomic};
 use serde_json::{Value, json};
 
 use super::Global;
 use crate::catalog::Catalog;
+use crate::failure::Failure;
 use crate::measure::sampling::{SamplingRow, sampling};
 use crate::report::svg::{LogChart, Mark, Series};
 use crate::report::table::Table;
@@ -53,10 +54,13 @@ impl Sampling {
         let is_merl = |material: &&Material| Database::of(&material.name) == Database::Merl;
         let materials: Vec<&Material> = reference.materials.iter().filter(is_merl).collect();
         if materials.is_empty() {
-            bail!("the reference '{}' holds no MERL material", reference.kind);
+            let found = format!("reference '{}': expected MERL materials, found none", reference.kind);
+            return Err(Failure::InvalidFile(found).into());
         }
         let bar = progress::bar(materials.len() as u64, "sampling", global.quiet);
-        let mut rows = sampling(&materials, &catalog.autoencoder(), &|| bar.inc(1))?;
+        let znbrdf = catalog.autoencoder();
+        let encoder = catalog.representation(znbrdf.name(), false)?;
+        let mut rows = sampling(&materials, encoder.as_ref(), &znbrdf, &|| bar.inc(1))?;
         bar.finish_and_clear();
         rows.sort_by(|a, b| a.variances.cosine.total_cmp(&b.variances.cosine));
         if let Some(path) = &self.output {
@@ -106,10 +110,8 @@ fn text(summary: &Value) -> String {
 /// All materials by rising variance of cosine sampling.
 fn chart(rows: &[SamplingRow]) -> LogChart {
     let median = |value: fn(&SamplingRow) -> f64| {
-        let mut values: Vec<f64> = rows.iter().map(value).collect();
-        values.sort_by(f64::total_cmp);
-        let middle = values.len() / 2;
-        if values.len().is_multiple_of(2) { 0.5 * (values[middle - 1] + values[middle]) } else { values[middle] }
+        let values = rows.iter().map(|row| (row.variances.name.as_str(), value(row)));
+        Spread::new(values, false).map_or(f64::NAN, |spread| spread.median)
     };
     let series = |index: usize, name: &str, colour, mark, held_out: Option<bool>| {
         let value = COLUMNS[index].1;

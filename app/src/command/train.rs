@@ -35,7 +35,7 @@ pub struct Train {
     /// Which autoencoder.
     #[arg(long, value_enum, default_value_t = Kind::Znbrdf)]
     architecture: Kind,
-    /// Gradient steps; 24000 for znbrdf, 8000 for the published one.
+    /// Gradient steps; 48000 for znbrdf, 8000 for the published one.
     #[arg(long, value_parser = clap::value_parser!(u32).range(1..))]
     steps: Option<u32>,
     /// Numbers in a code: this version trains codes of 32.

@@ -93,16 +93,20 @@ impl FittedFamily {
         LOBES.iter().flat_map(|lobe| FAMILIES.iter().map(move |family| (family, lobe))).collect()
     }
 
-    /// Fits both ends, each from a random start of its own.
-    pub fn fit((family, lobe): (&'static Family, &'static FamilyLobe), seed: u64) -> Self {
+    /// Fits both ends, each from a random start of its own; none if cancelled, or if a fit diverges.
+    pub fn fit(
+        (family, lobe): (&'static Family, &'static FamilyLobe),
+        seed: u64,
+        cancelled: &dyn Fn() -> bool,
+    ) -> Option<Self> {
         let end = |index: u8| {
             let truth = family.at(f32::from(index), lobe);
             let options = FitOptions { steps: FIT_STEPS, seed, ..FitOptions::default() };
             let start = random_network(seed, 500 + u64::from(index));
-            let network = fit(&start, &truth, options, &|| false).unwrap_or(start);
-            Material::from_network(format!("{}-{}-{index}", lobe.name, family.name), network)
+            let network = fit(&start, &truth, options, cancelled)?;
+            Some(Material::from_network(format!("{}-{}-{index}", lobe.name, family.name), network))
         };
-        Self { family, lobe, ends: [end(0), end(1)] }
+        Some(Self { family, lobe, ends: [end(0)?, end(1)?] })
     }
 
     /// Walks to the middle with a method.

@@ -14,7 +14,7 @@ pub struct SamplingRow {
     /// Of uniform, cosine, Blinn-Phong and the lobe fitted to the material.
     #[serde(flatten)]
     pub variances: Variances,
-    /// Of the lobe predicted from the feed-forward code.
+    /// Of the lobe predicted from the code.
     pub predicted: f64,
     /// That lobe.
     pub predicted_lobe: Lobe,
@@ -22,10 +22,16 @@ pub struct SamplingRow {
     pub held_out: bool,
 }
 
-/// The row of every material, in parallel; `done` is called after each.
-pub fn sampling(materials: &[&Material], znbrdf: &Autoencoder, done: &(dyn Fn() + Sync)) -> Result<Vec<SamplingRow>> {
+/// The row of every material, in parallel, lobes predicted from the codes that `encoder` makes for `znbrdf`; `done` is
+/// called after each.
+pub fn sampling(
+    materials: &[&Material],
+    encoder: &dyn Representation,
+    znbrdf: &Autoencoder,
+    done: &(dyn Fn() + Sync),
+) -> Result<Vec<SamplingRow>> {
     let row = |material: &&Material| {
-        let predicted_lobe = znbrdf.lobe(&znbrdf.encode(material)?)?.context("the checkpoint has learned no lobes")?;
+        let predicted_lobe = znbrdf.lobe(&encoder.encode(material)?)?.context("the checkpoint has learned no lobes")?;
         let row = SamplingRow {
             variances: Variances::of(&material.name, material.brdf.as_ref()),
             predicted: relative_variance(material.brdf.as_ref(), &predicted_lobe),

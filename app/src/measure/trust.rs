@@ -8,8 +8,8 @@ use serde::Serialize;
 
 use crate::catalog::DIM;
 
-/// Expected `log_error` beyond which a code does not carry its material: nearly twice the largest error among the
-/// validation materials.
+/// Expected `log_error` beyond which a code does not carry its material, whatever made it: nearly twice the largest error
+/// among the validation materials with ZNBRDF.
 const CARRIED: f64 = 0.015;
 
 /// What is known of a code when it has just been made.
@@ -29,14 +29,33 @@ impl Trust {
         Ok(Self { expected_log_error, distance: known.distance(code)? })
     }
 
-    /// What to tell of a material that the code does not carry.
-    pub fn advice(&self, material: &str) -> Option<String> {
-        (self.expected_log_error > CARRIED).then(|| {
-            format!(
-                "{material}: {DIM} numbers do not carry this material: expected log_error {:.3}, and materials like those of \
-                 training stay below {CARRIED}: keep the network, or try --refine",
-                self.expected_log_error
-            )
-        })
+    /// What to tell of a material that the code does not carry; `can_refine` if a closer code of the same representation
+    /// may be asked for.
+    pub fn advice(&self, material: &str, can_refine: bool) -> Option<String> {
+        // No number is no trust.
+        if self.expected_log_error <= CARRIED {
+            return None;
+        }
+        let or_refine = if can_refine { ", or try --refine" } else { "" };
+        Some(format!(
+            "{material}: {DIM} numbers do not carry this material: expected log_error {:.3}, and materials like those of \
+             training stay below {CARRIED}: keep the network{or_refine}",
+            self.expected_log_error
+        ))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn refining_is_advised_only_where_it_is_still_to_be_had() {
+        let of = |expected_log_error| Trust { expected_log_error, distance: None };
+        assert_eq!(of(CARRIED).advice("m", true), None);
+        for unsure in [1.0, f64::NAN] {
+            assert!(of(unsure).advice("m", true).is_some_and(|advice| advice.contains("--refine")));
+            assert!(of(unsure).advice("m", false).is_some_and(|advice| !advice.contains("--refine")));
+        }
     }
 }

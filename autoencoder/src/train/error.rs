@@ -2,6 +2,8 @@
 
 use std::path::PathBuf;
 
+use nbrdf_core::representation::EncodeError;
+
 use crate::checkpoint::CheckpointError;
 
 /// Why training ended without a checkpoint.
@@ -39,6 +41,9 @@ pub enum TrainError {
         /// Options in the state.
         found: String,
     },
+    /// A training material has no code.
+    #[error(transparent)]
+    Encode(#[from] EncodeError),
     /// A file could not be read or written.
     #[error(transparent)]
     Checkpoint(#[from] CheckpointError),

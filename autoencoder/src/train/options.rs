@@ -25,7 +25,7 @@ impl TrainOptions {
     /// What the built-in checkpoints were trained with.
     pub const fn new(architecture: Architecture) -> Self {
         let (steps, rate) = match architecture {
-            Architecture::Znbrdf => (24_000, 1.5e-3),
+            Architecture::Znbrdf => (48_000, 1.5e-3),
             Architecture::Published => (8_000, 1e-3),
         };
         Self { architecture, steps, rate, seed: 0, analytic_share: 0.08 }

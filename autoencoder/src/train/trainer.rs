@@ -114,3 +114,22 @@ fn spread(networks: &[&Nbrdf], centre: &[f32]) -> Vec<f32> {
     let square = |i: usize| networks.iter().map(|n| f64::from(n.weights()[i] - centre[i]).powi(2)).sum::<f64>();
     (0..PUBLISHED_WEIGHTS).map(|i| (square(i) / networks.len() as f64).sqrt().max(1e-2) as f32).collect()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn mixed_codes_follow_the_materials_and_lie_where_the_walk_says() {
+        // Number i of every code is 10 i + row.
+        let rows = BATCH + 4;
+        let codes: Vec<f32> = (0..rows).flat_map(|row| [row as f32, 10.0 + row as f32]).collect();
+        let codes = Tensor::from_vec(codes, (rows, 2), &Device::Cpu).unwrap();
+        let mixed = with_mixed(&codes, vec![0.25, 1.0]).unwrap().to_vec2::<f32>().unwrap();
+        assert_eq!(mixed.len(), BATCH + 2);
+        assert_eq!(mixed[3], [3.0, 13.0]);
+        let from = BATCH as f32;
+        assert_eq!(mixed[BATCH], [from + 0.5, from + 10.5]);
+        assert_eq!(mixed[BATCH + 1], [from + 3.0, from + 13.0]);
+    }
+}

@@ -13,7 +13,7 @@ use crate::Representation;
 use crate::quality::Qualities;
 use crate::representation::DecodeError;
 
-/// Largest change of a quality in one step.
+/// Largest change of a quality in one step; a step that is further behind catches up first.
 const STEP: f64 = 0.04;
 /// Steps that only correct, at the end.
 const CORRECTIONS: usize = 3;
@@ -21,6 +21,10 @@ const CORRECTIONS: usize = 3;
 const DAMPING: f64 = 1e-3;
 /// Largest change of the code in one step, in spreads of the known codes (root mean square).
 const LARGEST: f64 = 0.35;
+/// Smallest share of the squared miss that a step has to win.
+const ENOUGH: f64 = 0.01;
+/// A step that wins less is halved, this often at most.
+const HALVINGS: usize = 4;
 
 /// How the codes of known materials are spread.
 pub struct Prior {
@@ -47,7 +51,12 @@ impl Prior {
 
 /// A material's code with one quality moved by `amount`, and the qualities it has then.
 ///
-/// Stops short where the quality ends (nothing is more than all metal); compare the qualities.
+/// Stops short where the quality ends (nothing is more than all metal), where codes cease to decode, and where no step
+/// brings moved and held qualities together nearer to what they should be; compare the qualities. An amount that is not
+/// finite moves nothing.
+///
+/// # Errors
+/// If `code` itself does not decode.
 pub fn edit(
     representation: &dyn Representation,
     prior: &Prior,
@@ -59,27 +68,44 @@ pub fn edit(
         Ok(Qualities::of(representation.decode(&representation.code(code.to_vec()))?.as_ref()))
     };
     let start = measure(code)?;
-    let steps = (amount.abs() / STEP).ceil() as usize;
-    let mut code = code.to_vec();
-    let mut now = start;
-    if steps == 0 {
+    let (mut code, mut now) = (code.to_vec(), start);
+    if amount == 0.0 || !amount.is_finite() {
         return Ok((code, now));
     }
-    for step in 1..=steps + CORRECTIONS {
-        let share = (step as f64 / steps as f64).min(1.0);
-        let missing: Vec<f64> =
-            axis.wanted(&start, share * amount).iter().zip(axis.rows(&now)).map(|(wanted, own)| wanted - own).collect();
-        let change = likeliest(&slopes(&measure, axis, prior, &code)?, prior, &missing);
-        let size = change.iter().zip(&prior.spread).map(|(c, s)| (c / s) * (c / s)).sum::<f64>() / code.len() as f64;
-        let scale = (LARGEST / size.sqrt().max(1e-12)).min(1.0);
-        let next: Vec<f32> = code.iter().zip(&change).map(|(v, c)| v + (scale * c) as f32).collect();
-        // No number is no direction: what cannot be measured is not followed.
-        if next.iter().any(|v| !v.is_finite()) {
-            break;
+    // How much of the way is asked for, and how often all of it has been.
+    let (mut share, mut corrections) = (0.0, 0);
+    while corrections <= CORRECTIONS {
+        let missing = |q: &Qualities, share: f64| -> Vec<f64> {
+            axis.rows(q).iter().zip(axis.wanted(&start, share * amount)).map(|(own, wanted)| wanted - own).collect()
+        };
+        if square(&missing(&now, share)) < STEP * STEP {
+            share = (share + STEP / amount.abs()).min(1.0);
         }
-        (now, code) = (measure(&next)?, next);
+        corrections += usize::from(share >= 1.0);
+        let missing_now = missing(&now, share);
+        // Where a neighbour cannot be measured, no direction is known.
+        let Ok(slopes) = slopes(&measure, axis, prior, &code) else { break };
+        let change = likeliest(&slopes, prior, &missing_now);
+        let size = change.iter().zip(&prior.spread).map(|(c, s)| (c / s) * (c / s)).sum::<f64>() / code.len() as f64;
+        let whole = (LARGEST / size.sqrt().max(1e-12)).min(1.0);
+        let try_step = |halving: usize| {
+            let scale = whole * 0.5f64.powi(halving as i32);
+            let next: Vec<f32> = code.iter().zip(&change).map(|(v, c)| v + (scale * c) as f32).collect();
+            let then = measure(&next).ok()?;
+            // No number is no gain.
+            let gains = square(&missing(&then, share)) < (1.0 - ENOUGH) * square(&missing_now);
+            gains.then_some((next, then))
+        };
+        match (0..=HALVINGS).find_map(try_step) {
+            Some(next) => (code, now) = next,
+            None => break,
+        }
     }
     Ok((code, now))
+}
+
+fn square(values: &[f64]) -> f64 {
+    values.iter().map(|v| v * v).sum()
 }
 
 /// ∂rows/∂number, by central differences.
@@ -176,8 +202,8 @@ mod tests {
     #[test]
     fn a_rougher_material_keeps_its_lightness_and_colour() {
         let (before, after) = moved(Axis::Roughness, 0.1);
-        assert!(Axis::Roughness.difference(&before, &after) > 0.07, "{before:?} {after:?}");
-        // Five numbers for six quantities: they are held as well as they can be.
+        // Five numbers for six quantities: not all of the way can be gone without losing what is held.
+        assert!(Axis::Roughness.difference(&before, &after) > 0.04, "{before:?} {after:?}");
         assert!(Axis::Lightness.difference(&before, &after).abs() < 0.05);
         assert!(Axis::Hue.difference(&before, &after).abs() < 0.01);
     }
@@ -191,9 +217,32 @@ mod tests {
     }
 
     #[test]
+    fn grey_takes_on_colour() {
+        let grey = Qualities { colour: [0.0; 2], ..moved(Axis::Gloss, 0.0).0 };
+        let [u, v, ..] = Axis::Chroma.wanted(&grey, 0.2);
+        assert!((u.hypot(v) - 0.2).abs() < 1e-12, "{u} {v}");
+        let [u, v, ..] = Axis::Chroma.wanted(&grey, -0.2);
+        assert_eq!((u, v), (0.0, 0.0));
+    }
+
+    #[test]
     fn nothing_asked_is_nothing_done() {
-        let (before, after) = moved(Axis::Gloss, 0.0);
-        assert_eq!(before, after);
+        for amount in [0.0, f64::NAN, f64::INFINITY] {
+            let (before, after) = moved(Axis::Gloss, amount);
+            assert_eq!(before, after, "{amount}");
+        }
+    }
+
+    #[test]
+    fn what_is_out_of_reach_is_not_paid_for_with_what_is_held() {
+        for (axis, amount) in [(Axis::Lightness, 5.0), (Axis::Roughness, -5.0), (Axis::Sheen, 5.0)] {
+            let (before, after) = moved(axis, amount);
+            assert!(axis.difference(&before, &after) * amount > 0.0, "{axis:?} {before:?} {after:?}");
+            for held in [Axis::Lightness, Axis::Hue, Axis::Roughness].into_iter().filter(|held| *held != axis) {
+                let drift = held.difference(&before, &after);
+                assert!(drift.abs() < 0.1, "{axis:?} moved {held:?} by {drift}: {before:?} {after:?}");
+            }
+        }
     }
 
     #[test]
@@ -201,5 +250,8 @@ mod tests {
         let at = |u: f64, v: f64| Qualities { colour: [u, v], ..moved(Axis::Gloss, 0.0).0 };
         let difference = Axis::Hue.difference(&at(-0.1, 0.01), &at(-0.1, -0.01));
         assert!((0.0..0.1).contains(&difference), "{difference}");
+        // Three quarters forwards is a quarter back.
+        let missed = Axis::Hue.missed(&at(0.1, 0.0), &at(0.0, -0.1), 0.75);
+        assert!(missed.abs() < 1e-9, "{missed}");
     }
 }

@@ -105,6 +105,21 @@ pub fn detour(point: [f64; 2], from: [f64; 2], to: [f64; 2]) -> [f64; 2] {
     [offset[0] - share * along[0], offset[1] - share * along[1]]
 }
 
+/// The part of a small change of `point` that changes its [`detour`]: across the segment where the nearest point lies
+/// within, all of it where that is an end.
+pub fn change_of_detour(point: [f64; 2], from: [f64; 2], to: [f64; 2], change: [f64; 2]) -> [f64; 2] {
+    let along = [to[0] - from[0], to[1] - from[1]];
+    let dot = |a: [f64; 2], b: [f64; 2]| a[0] * b[0] + a[1] * b[1];
+    let length2 = dot(along, along);
+    let share = dot(along, [point[0] - from[0], point[1] - from[1]]) / length2;
+    if share > 0.0 && share < 1.0 {
+        let lengthwise = dot(along, change) / length2;
+        [change[0] - lengthwise * along[0], change[1] - lengthwise * along[1]]
+    } else {
+        change
+    }
+}
+
 /// Distance of a point from the segment between two others, in their unit.
 pub fn distance_from_segment(point: [f64; 2], from: [f64; 2], to: [f64; 2]) -> f64 {
     let [u, v] = detour(point, from, to);
@@ -161,6 +176,20 @@ mod tests {
         let middle = [0.35, 0.1, 0.35];
         assert!(hue_excursion(&path(&[red, middle, blue]), &[true]) < 1e-6);
         assert!(hue_excursion(&path(&[red, [0.1, 0.6, 0.1], blue]), &[true]) > 0.1);
+    }
+
+    #[test]
+    fn changes_of_the_detour_are_those_of_differences() {
+        let (from, to) = ([0.1, 0.2], [0.3, 0.3]);
+        for point in [[0.2, 0.3], [0.0, 0.1], [0.4, 0.4]] {
+            for change in [[1.0, 0.0], [0.0, 1.0], [0.6, -0.8]] {
+                let moved = |by: f64| detour([point[0] + by * change[0], point[1] + by * change[1]], from, to);
+                let (high, low, found) = (moved(1e-6), moved(-1e-6), change_of_detour(point, from, to, change));
+                for axis in 0..2 {
+                    assert!((found[axis] - (high[axis] - low[axis]) / 2e-6).abs() < 1e-6, "{point:?} {change:?}");
+                }
+            }
+        }
     }
 
     #[test]

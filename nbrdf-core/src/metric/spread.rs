@@ -26,15 +26,7 @@ pub struct Spread {
 impl Spread {
     /// Of named values; `None` if there are none. Percentiles are interpolated linearly between ranks.
     pub fn new<N: Into<String>>(values: impl IntoIterator<Item = (N, f64)>, higher_is_better: bool) -> Option<Self> {
-        let badness = |value: f64| {
-            if value.is_nan() {
-                f64::INFINITY
-            } else if higher_is_better {
-                -value
-            } else {
-                value
-            }
-        };
+        let badness = |value| badness(value, higher_is_better);
         let mut named: Vec<(String, f64)> = values.into_iter().map(|(name, value)| (name.into(), value)).collect();
         // Worst last by value, then by name backwards, so that the reversed list starts with the worst in order.
         named.sort_by(|a, b| badness(a.1).total_cmp(&badness(b.1)).then_with(|| b.0.cmp(&a.0)));
@@ -47,6 +39,17 @@ impl Spread {
             max,
             worst: named.iter().rev().take(WORST).map(|(name, _)| name.clone()).collect(),
         })
+    }
+}
+
+/// Grows as a figure gets worse, by `total_cmp`; NaN is worst of all.
+pub fn badness(value: f64, higher_is_better: bool) -> f64 {
+    if value.is_nan() {
+        f64::NAN
+    } else if higher_is_better {
+        -value
+    } else {
+        value
     }
 }
 

@@ -82,7 +82,7 @@ impl Sets {
 
 /// Fits one network, starting at `start`.
 ///
-/// `cancelled` is asked now and then; a cancelled fit returns `None`.
+/// `cancelled` is asked now and then; a cancelled fit returns `None`, and so does one that diverges.
 pub fn fit(start: &Nbrdf, target: &dyn Brdf, options: FitOptions, cancelled: &dyn Fn() -> bool) -> Option<Nbrdf> {
     fit_on(&Sets::new(&options), start, target, options, cancelled)
 }

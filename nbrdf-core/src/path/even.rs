@@ -10,8 +10,9 @@ const PIECES: usize = 32;
 /// Side of the sphere whose changes are the length \[pixels\].
 const SIZE: usize = 64;
 
-/// Another interpolation, re-timed between two ends by the length of its path under light `studio`. Beyond the ends the
-/// pace is that at the end; paths between three ends and more have no length and stay as they are.
+/// Another interpolation, re-timed between two ends by the length of its path under light `studio`. Beyond the ends it
+/// goes on at the pace it has there; a pace above the plain one fades to that. Paths between three ends and more have no
+/// length and stay as they are.
 pub struct Even {
     name: &'static str,
     inner: Box<dyn Interpolation>,
@@ -91,11 +92,13 @@ impl Clock {
     /// The inner path's weights at a share of the length.
     fn set(&self, weights: &Weights) -> Result<Weights, PathError> {
         let share = f64::from(weights.for_ends(2)?[1]);
+        if !share.is_finite() {
+            // Refused by what it is used for.
+            return Ok(weights.clone());
+        }
         let pieces = PIECES as f64;
-        // How far to go for so much of the length, in a piece that has `length` of it; never faster than the plain pace.
-        let beyond = |by: f64, length: f64| if length > 0.0 { by / (length * pieces).max(1.0) } else { by };
         let t = if share <= 0.0 {
-            beyond(share, self.shares[1])
+            -beyond(-share, self.shares[1])
         } else if share >= 1.0 {
             1.0 + beyond(share - 1.0, 1.0 - self.shares[PIECES - 1])
         } else {
@@ -106,6 +109,18 @@ impl Clock {
             ((after - 1) as f64 + within.min(1.0)) / pieces
         };
         Ok(Weights::two(t as f32))
+    }
+}
+
+/// How far to go for a share `by` of the length beyond an end whose last piece has `length` of it. The pace at the end
+/// is that of the piece, 1 / (length · PIECES); above 1 it fades to 1, before a piece's worth has been won.
+fn beyond(by: f64, length: f64) -> f64 {
+    let piece = 1.0 / PIECES as f64;
+    match length {
+        // A piece at rest has no pace.
+        _ if length <= 0.0 => by,
+        _ if length >= piece => by * piece / length,
+        _ => by - (piece - length) * (-by / length).exp_m1(),
     }
 }
 
@@ -135,6 +150,19 @@ mod tests {
         let even = step_ratio(&Even::new("even", Box::new(Mix::Linear)));
         println!("step_ratio {plain:.3}, even {even:.3}");
         assert!(plain > 1.5 && even < 1.05, "{plain} {even}");
+    }
+
+    #[test]
+    fn the_pace_at_an_end_goes_on_beyond_it() {
+        for power in [0.5, 2.0] {
+            let clock = Clock { shares: (0..=PIECES).map(|k| (k as f64 / PIECES as f64).powf(power)).collect() };
+            let inner = |t: f32| f64::from(clock.set(&Weights::two(t)).unwrap().as_slice()[1]);
+            for end in [0.0, 1.0] {
+                let (before, after) = (inner(end) - inner(end - 2e-5), inner(end + 2e-5) - inner(end));
+                assert!((before / after - 1.0).abs() < 0.1, "{power} at {end}: {before} {after}");
+            }
+        }
+        assert!(Clock { shares: vec![0.0; PIECES + 1] }.set(&Weights::two(f32::NAN)).unwrap().as_slice()[1].is_nan());
     }
 
     #[test]

@@ -16,7 +16,7 @@ use rayon::prelude::*;
 use super::code_path::{CodePath, codes_of};
 use super::{Interpolation, Path, PathError, Weights, with_weighted_sum};
 use crate::least_squares::damped_step;
-use crate::metric::detour;
+use crate::metric::{change_of_detour, detour};
 use crate::{Brdf, Code, Material, Representation};
 use seen::{Canvas, Seen};
 
@@ -189,14 +189,15 @@ impl<'a> Problem<'a> {
             let at = (k - 1) * dim;
             let pull = seen[k].pull(&seen[k - 1], &seen[k + 1]);
             let detour = self.detour(&seen[k]);
-            for i in 0..dim {
-                let by_colour = seen[k].colour_by(i);
+            let [from, to] = self.colours;
+            let by_colour: Vec<[f64; 2]> =
+                (0..dim).map(|i| change_of_detour(seen[k].colour, from, to, seen[k].colour_by(i))).collect();
+            for (i, by_own) in by_colour.iter().enumerate() {
                 let stays = self.stay[i] * f64::from(knots[k][i] - self.straight[k][i]);
-                let colour = by_colour[0] * detour[0] + by_colour[1] * detour[1];
+                let colour = by_own[0] * detour[0] + by_own[1] * detour[1];
                 slope[at + i] = pieces * pull[i] + COLOUR * colour + stays;
-                for j in 0..dim {
-                    let other = seen[k].colour_by(j);
-                    let colour = COLOUR * (by_colour[0] * other[0] + by_colour[1] * other[1]);
+                for (j, by_other) in by_colour.iter().enumerate() {
+                    let colour = COLOUR * (by_own[0] * by_other[0] + by_own[1] * by_other[1]);
                     normal[(at + i, at + j)] = 2.0 * pieces * own[k - 1][(i, j)] + colour;
                     if k < inner {
                         let coupling = -pieces * beside[k - 1][(i, j)];

@@ -31,6 +31,11 @@ impl Weights {
         Ok(Self(weights.into_iter().map(|w| w / sum).collect()))
     }
 
+    /// Weights that sum to 1 already.
+    pub(crate) const fn summing_to_one(weights: SmallVec<[f32; 6]>) -> Self {
+        Self(weights)
+    }
+
     /// On the smooth curve that passes all `ends` in order, t = 0 at the first and 1 at the last: the basis of a
     /// uniform Catmull–Rom spline (E. Catmull, R. Rom 1974), mirrored at the ends and straight beyond them. Works in any
     /// path, since a spline's points are weighted sums.

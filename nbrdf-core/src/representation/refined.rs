@@ -111,7 +111,8 @@ pub fn refine<R: Representation + ?Sized>(
     let target = features(&samples, &samples.values(target));
     let problem = CodeProblem { representation, samples: &samples, target };
     let refined = minimize(&problem, numbers, Steps { steps: effort.steps, offset: OFFSET })?;
-    Ok(Code { code: refined, ..start.clone() })
+    // What was expected of the start says nothing of this code.
+    Ok(Code { material: start.material.clone(), ..Code::new(&start.model, &start.checkpoint, refined) })
 }
 
 impl<R: Representation + ?Sized> Representation for Refined<R> {

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use anyhow::{Context, Result};
-use nbrdf_core::metric::ImageMetric;
+use nbrdf_core::metric::{ImageMetric, badness};
 use nbrdf_core::render::Light;
 use nbrdf_core::{Image, Interpolation, Material, Weights};
 use rayon::prelude::*;
@@ -29,10 +29,10 @@ pub fn draw(
     measured: &[Measured],
     key: &str,
 ) -> Result<()> {
-    let sign = if higher_is_better(key) { -1.0 } else { 1.0 };
     let figure = |i: usize| measured[i].figures.get(key).copied().unwrap_or(f64::NAN);
+    let bad = |&i: &usize| badness(figure(i), higher_is_better(key));
     let mut order: Vec<usize> = (0..measured.len()).collect();
-    order.sort_by(|&a, &b| (sign * figure(b)).total_cmp(&(sign * figure(a))));
+    order.sort_by(|a, b| bad(b).total_cmp(&bad(a)));
     order.truncate(ROWS);
     let cell = Cell::new(SIZE, &Light::studio());
     let row = |&i: &usize| -> Result<Row> {

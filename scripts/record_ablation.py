@@ -1,0 +1,46 @@
+"""What longer training brings: reports `steps-N.json` of a folder in, docs/ablation.json out.
+
+    python3 scripts/record_ablation.py target/ablation
+"""
+
+import json
+import re
+import sys
+from pathlib import Path
+
+from make_results import ROOT
+from record_seeds import Invalid, read
+
+KEYS = ("log_error", "relative_log", "studio_psnr", "studio_flip", "studio_delta_e_itp")
+
+
+def record(folder: Path) -> dict:
+    """What docs/ablation.json holds: PCA's rows once, ZNBRDF's for every length of training."""
+    files = sorted((int(match[1]), file) for file in folder.glob("steps-*.json") if (match := re.fullmatch(r"steps-(\d+)", file.stem)))
+    if not files:
+        raise Invalid(f"{folder}: expected reports steps-N.json, found none")
+    rows = []
+    for steps, file in files:
+        for (name, variant, database), figures in read(file, "validation").items():
+            learned = name == "znbrdf"
+            if database == "merl" and (learned or file == files[0][1]):
+                row = {"name": name, "variant": variant, "count": figures["count"], **{key: figures[key] for key in KEYS}}
+                rows.append({**row, "steps": steps} if learned else row)
+    return {"schema": 1, "command": "scripts/ablation.sh", "rows": rows}
+
+
+def main(arguments: list[str], out: Path = ROOT / "docs/ablation.json") -> int:
+    if len(arguments) != 1:
+        print(__doc__, file=sys.stderr)
+        return 2
+    try:
+        recorded = record(Path(arguments[0]))
+    except Invalid as error:
+        print(error, file=sys.stderr)
+        return 3
+    out.write_text(json.dumps(recorded, indent=1) + "\n")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))
