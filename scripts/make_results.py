@@ -8,15 +8,9 @@ import json
 import sys
 from pathlib import Path
 
-ROOT = Path(__file__).resolve().parent.parent
+from results_learning import ablation, hardest, seeds
+from results_table import EVALUATE, ROOT, label, number, table, thousands
 
-EVALUATE = [
-    ("log_error", "log_error", 4), ("relative_log", "relative_log", 3),
-    ("point_psnr", "point PSNR", 1), ("point_ssim", "point SSIM", 4), ("point_flip", "point FLIP", 3),
-    ("point_delta_e_itp", "point ΔE_ITP", 2),
-    ("studio_psnr", "studio PSNR", 1), ("studio_ssim", "studio SSIM", 4), ("studio_flip", "studio FLIP", 3),
-    ("studio_delta_e_itp", "studio ΔE_ITP", 2),
-]
 COMPARE = [
     ("end_error", "mean", "end_error mean", 4), ("mix_psnr", "median", "mix_psnr median", 1),
     ("mix_psnr", "max", "mix_psnr worst", 1), ("mix_ssim", "mean", "mix_ssim mean", 3),
@@ -29,23 +23,13 @@ COMPARE = [
 FAMILIES = ["roughness", "colour", "ior", "metal"]
 
 
-def number(value: float | None, digits: int) -> str:
-    """A figure, or a dash where there is none (infinite or undefined)."""
-    return "–" if value is None else f"{value:.{digits}f}"
-
-
-def table(head: list[str], rows: list[list[str]]) -> str:
-    lines = [head, ["---"] + ["---:"] * (len(head) - 1), *rows]
-    return "\n".join("| " + " | ".join(line) + " |" for line in lines)
-
-
 def evaluation(report: dict, database: str) -> str:
     rows = [row for row in report["rows"] if row["database"] == database]
     head = ["representation"] + [title for _, title, _ in EVALUATE]
     body = []
     for row in rows:
         cells = [f"{number(row[key]['mean'], d)} ({number(row[key]['max'], d)})" for key, _, d in EVALUATE]
-        body.append([f"`{row['name']}` {row['variant'].replace('_', '-')}", *cells])
+        body.append([label(row), *cells])
     return table(head, body)
 
 
@@ -55,7 +39,7 @@ def spread(report: dict, database: str) -> str:
     for row in (r for r in report["rows"] if r["database"] == database):
         error, psnr = row["log_error"], row["studio_psnr"]
         body.append([
-            f"`{row['name']}` {row['variant'].replace('_', '-')}", number(error["median"], 4), number(error["p90"], 4),
+            label(row), number(error["median"], 4), number(error["p90"], 4),
             ", ".join(error["worst"]), number(psnr["median"], 1), number(psnr["p90"], 1), ", ".join(psnr["worst"]),
             number(row["encode_s"]["median"] * 1e3, 2), number(row["ns"], 1), f"{row['shared_bytes'] / 1e6:.1f}",
         ])
@@ -93,7 +77,7 @@ def families(report: dict) -> str:
 def calibration(report: dict) -> str:
     body = [
         [
-            f"`{row['name']}` {row['variant'].replace('_', '-')}", str(row["count"]), number(row["spearman_expected"], 2),
+            label(row), str(row["count"]), number(row["spearman_expected"], 2),
             number(row["spearman_distance"], 2), number(row["ratio"]["median"], 2), number(row["ratio"]["p90"], 2), number(row["ratio"]["max"], 2),
         ]
         for row in report["calibration"]
@@ -110,47 +94,6 @@ def axes(report: dict) -> str:
         for row in report["axes"]
     ]
     return table(["axis", "one way only", "reached, mean", "worst", *names], body)
-
-
-def seeds() -> str:
-    """Mean ± standard deviation over seeds, as recorded in docs/seeds.json."""
-    recorded = json.loads((ROOT / "docs/seeds.json").read_text())
-    body = []
-    for row in recorded["rows"]:
-        cells = [f"{row[key]['mean']:.{d}f} ± {row[key]['sd']:.{d}f}" for key, _, d in EVALUATE if key in row]
-        body.append([f"`{row['name']}` {row['variant'].replace('_', '-')}, {row['database']}", *cells])
-    head = [f"{len(recorded['seeds'])} seeds"] + [title for key, title, _ in EVALUATE if key in recorded["rows"][0]]
-    steps = f"{recorded['steps']:,}".replace(",", " ")
-    return f"""Mean ± standard deviation over trainings of {steps} steps that differ in nothing but the seed (`{recorded['command']}`,
-recorded in `docs/seeds.json`); held-out materials.
-
-{table(head, body)}"""
-
-
-def ablation() -> str:
-    """Validation figures by length of training, as recorded in docs/ablation.json."""
-    recorded = json.loads((ROOT / "docs/ablation.json").read_text())["rows"]
-    shown = [(key, title, digits) for key, title, digits in EVALUATE if key in recorded[0]]
-    variants = [("znbrdf", "feed_forward"), ("znbrdf", "unrolled"), ("znbrdf", "refined"), ("pca_tables", "projection"), ("pca_tables", "refined")]
-    body = []
-    for name, variant in variants:
-        for row in (r for r in recorded if (r["name"], r["variant"]) == (name, variant)):
-            steps = f"{row['steps']:,}".replace(",", " ") if "steps" in row else "–"
-            body.append([f"`{name}` {variant.replace('_', '-')}", steps, *(number(row[key], digits) for key, _, digits in shown)])
-    return table(["representation", "steps", *(title for _, title, _ in shown)], body)
-
-
-def hardest(report: dict) -> str:
-    """Held-out materials that cost ZNBRDF most against PCA-32, beside a network with all its weights free."""
-    rows = {(row["name"], row["variant"]): {m["name"]: m["log_error"] for m in row["materials"]} for row in report["rows"] if row["database"] == "merl"}
-    refit = json.loads((ROOT / "nbrdf-core/assets/shared/manifest.json").read_text())["materials"]
-    refit = {material["name"]: material["error"]["log_error"] for material in refit}
-    columns = [rows["znbrdf", "unrolled"], rows["znbrdf", "refined"], rows["pca_tables", "projection"], rows["pca_tables", "refined"], refit]
-    names = sorted(columns[0], key=lambda name: columns[3][name] - columns[1][name])
-    body = [[name, *(number(column[name], 4) for column in columns)] for name in names[:6]]
-    rest = [[f"mean of the other {len(names) - 6}", *(number(sum(column[name] for name in names[6:]) / len(names[6:]), 4) for column in columns)]]
-    head = ["material", "ZNBRDF unrolled", "refined", "PCA-32 projection", "refined", "network fitted to it"]
-    return table(head, body + rest)
 
 
 def conclusions(evaluate: dict, compare: dict) -> str:
@@ -191,7 +134,7 @@ def evaluation_speed(speed: dict) -> str:
         efficiency = "–" if row["efficiency"] is None else f"{row['efficiency']:.2f}"
         rows.append([
             f"`{row['name']}`", row["given"], number(row["ns"], 2), number(row["ratio_to_reference_loop"], 1), efficiency,
-            f"{row['bytes']:,}".replace(",", " "),
+            thousands(row['bytes']),
         ])
     return table(["model", "given", "ns", "× `reference_loop`", "efficiency", "bytes"], rows)
 

@@ -3,20 +3,18 @@
     python3 scripts/record_ablation.py target/ablation
 """
 
-import json
-import re
 import sys
 from pathlib import Path
 
-from make_results import ROOT
-from record_seeds import Invalid, read
+from records import Invalid, numbered, read, write
+from results_table import ROOT
 
 KEYS = ("log_error", "relative_log", "studio_psnr", "studio_flip", "studio_delta_e_itp")
 
 
 def record(folder: Path) -> dict:
     """What docs/ablation.json holds: PCA's rows once, ZNBRDF's for every length of training."""
-    files = sorted((int(match[1]), file) for file in folder.glob("steps-*.json") if (match := re.fullmatch(r"steps-(\d+)", file.stem)))
+    files = numbered(folder, "steps")
     if not files:
         raise Invalid(f"{folder}: expected reports steps-N.json, found none")
     rows = []
@@ -33,13 +31,7 @@ def main(arguments: list[str], out: Path = ROOT / "docs/ablation.json") -> int:
     if len(arguments) != 1:
         print(__doc__, file=sys.stderr)
         return 2
-    try:
-        recorded = record(Path(arguments[0]))
-    except Invalid as error:
-        print(error, file=sys.stderr)
-        return 3
-    out.write_text(json.dumps(recorded, indent=1) + "\n")
-    return 0
+    return write(lambda: record(Path(arguments[0])), out)
 
 
 if __name__ == "__main__":

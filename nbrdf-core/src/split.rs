@@ -44,6 +44,12 @@ impl Split {
     pub const fn is_training(self) -> bool {
         !matches!(self, Self::HeldOut)
     }
+
+    /// Whether a learner may see the material now: while choices are made (`validating`) [`Train`](Self::Train) alone,
+    /// afterwards all that [is for training](Self::is_training).
+    pub const fn is_learned_from(self, validating: bool) -> bool {
+        if validating { matches!(self, Self::Train) } else { self.is_training() }
+    }
 }
 
 #[cfg(test)]

@@ -74,6 +74,11 @@ impl Catalog {
         }
     }
 
+    /// Whether a representation has a refined form.
+    pub fn has_refined_form(name: &str) -> bool {
+        REPRESENTATIONS.iter().any(|entry| entry.name == name && entry.variant == Variant::Refined)
+    }
+
     /// An interpolation by name.
     pub fn interpolation(&self, name: &str) -> Result<Box<dyn Interpolation>> {
         Self::interpolation_entry(name)?.build(self)
@@ -124,11 +129,8 @@ impl Catalog {
 
     /// The MERL materials that may be learned from.
     fn training(&self, materials: &[Material]) -> Vec<Material> {
-        let may_learn = |name: &str| {
-            let split = Split::of(name);
-            Database::of(name) == Database::Merl
-                && if self.validate { split == Split::Train } else { split.is_training() }
-        };
+        let may_learn =
+            |name: &str| Database::of(name) == Database::Merl && Split::of(name).is_learned_from(self.validate);
         materials.iter().filter(|material| may_learn(&material.name)).cloned().collect()
     }
 }

@@ -1,10 +1,13 @@
 //! What errors are measured against: published networks where they are at hand, else the built-in ones.
 
+use std::fmt::Display;
 use std::path::Path;
 
-use anyhow::Result;
+use anyhow::{Error, Result};
 use nbrdf_core::library::builtin;
 use nbrdf_core::{Database, Library, Material, Split, data};
+
+use crate::failure::Failure;
 
 /// The reference materials and where they come from.
 pub struct Reference {
@@ -30,6 +33,11 @@ impl Reference {
     /// The built-in networks.
     pub fn built_in() -> Self {
         Self { kind: "builtin".to_owned(), materials: builtin::shared().materials() }
+    }
+
+    /// The failure of a command that needs materials which are not there.
+    pub fn lacks(&self, expected: &str, found: impl Display) -> Error {
+        Failure::InvalidFile(format!("reference '{}': expected {expected}, found {found}", self.kind)).into()
     }
 
     /// The materials of a database in a split.

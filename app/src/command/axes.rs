@@ -13,7 +13,6 @@ use serde_json::{Map, Value, json};
 
 use super::Global;
 use crate::catalog::Catalog;
-use crate::failure::Failure;
 use crate::report::table::Table;
 use crate::{progress, report};
 
@@ -53,8 +52,7 @@ impl Axes {
         let representation = catalog.representation(known.name(), false)?;
         let materials = reference.of(Database::Merl, Split::HeldOut);
         if materials.is_empty() {
-            let found = format!("reference '{}': expected held-out MERL materials to edit, found none", reference.kind);
-            return Err(Failure::InvalidFile(found).into());
+            return Err(reference.lacks("held-out MERL materials to edit", "none"));
         }
         let codes = materials.iter().map(|m| Ok((m.name.clone(), representation.encode(m)?.code)));
         let codes: Vec<(String, Vec<f32>)> = codes.collect::<Result<_>>()?;

@@ -14,7 +14,6 @@ use serde_json::{Map, Value, json};
 
 use super::Global;
 use crate::catalog::{Catalog, INTERPOLATIONS, Reference};
-use crate::failure::Failure;
 use crate::measure::families::{Family, FamilyLobe, FittedFamily, LOBES};
 use crate::measure::higher_is_better;
 use crate::measure::path_quality::path_quality;
@@ -103,12 +102,7 @@ impl Compare {
         let mut merl: Vec<&Material> = reference.materials.iter().filter(is_merl).collect();
         merl.sort_by(|a, b| a.name.cmp(&b.name));
         if merl.len() < 2 || OFFSET.is_multiple_of(merl.len()) {
-            let found = merl.len();
-            return Err(Failure::InvalidFile(format!(
-                "reference '{}': expected MERL materials enough to pair each with another, found {found}",
-                reference.kind
-            ))
-            .into());
+            return Err(reference.lacks("MERL materials enough to pair each with another", merl.len()));
         }
         let pair = |i: usize| [merl[i].clone(), merl[(i + OFFSET) % merl.len()].clone()];
         Ok((0..merl.len()).take(self.pairs.map_or(usize::MAX, std::num::NonZeroUsize::get)).map(pair).collect())

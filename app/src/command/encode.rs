@@ -7,6 +7,7 @@ use clap::Args;
 use nbrdf_core::{Code, atomic};
 
 use super::Global;
+use crate::catalog::Catalog;
 use crate::material::Sources;
 use crate::measure::Trust;
 use crate::{output, report};
@@ -43,7 +44,7 @@ impl Encode {
         let code = representation.encode(&item.material)?;
         let decoded = representation.decode(&code)?;
         let trust = Trust::of(&item.material, &code, decoded.as_ref(), &shelf.catalog.autoencoder())?;
-        let can_refine = !self.refine && shelf.catalog.representation(&self.representation, true).is_ok();
+        let can_refine = !self.refine && Catalog::has_refined_form(&self.representation);
         if let Some(advice) = trust.advice(&item.material.name, can_refine) {
             global.warn(format_args!("{advice}"))?;
         }

@@ -14,7 +14,6 @@ use serde_json::{Map, Value, json};
 
 use super::Global;
 use crate::catalog::{Catalog, REPRESENTATIONS, RepresentationEntry};
-use crate::failure::Failure;
 use crate::measure::calibration::{Calibration, Judged};
 use crate::measure::{Target, Trust, higher_is_better};
 use crate::report::table::Table;
@@ -78,8 +77,7 @@ impl Evaluate {
             .collect();
         if sets.is_empty() {
             let split = if self.validate { "validation" } else { "held-out" };
-            let found = format!("reference '{}': expected {split} materials, found none", reference.kind);
-            return Err(Failure::InvalidFile(found).into());
+            return Err(reference.lacks(&format!("{split} materials"), "none"));
         }
         let total: usize = sets.iter().map(|(_, materials)| materials.len()).sum();
         let bar = progress::bar((total * entries.len()) as u64, "evaluating", global.quiet);

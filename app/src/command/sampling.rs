@@ -10,7 +10,6 @@ use serde_json::{Value, json};
 
 use super::Global;
 use crate::catalog::Catalog;
-use crate::failure::Failure;
 use crate::measure::sampling::{SamplingRow, sampling};
 use crate::report::svg::{LogChart, Mark, Series};
 use crate::report::table::Table;
@@ -54,8 +53,7 @@ impl Sampling {
         let is_merl = |material: &&Material| Database::of(&material.name) == Database::Merl;
         let materials: Vec<&Material> = reference.materials.iter().filter(is_merl).collect();
         if materials.is_empty() {
-            let found = format!("reference '{}': expected MERL materials, found none", reference.kind);
-            return Err(Failure::InvalidFile(found).into());
+            return Err(reference.lacks("MERL materials", "none"));
         }
         let bar = progress::bar(materials.len() as u64, "sampling", global.quiet);
         let znbrdf = catalog.autoencoder();

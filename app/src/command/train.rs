@@ -66,7 +66,7 @@ impl Train {
         let loaded = self.library.as_deref().map(Library::load).transpose()?;
         let library = loaded.as_ref().unwrap_or_else(|| builtin::shared());
         let shown = if self.validate { Split::Validation } else { Split::HeldOut };
-        let learns = |name: &str| Split::of(name) == Split::Train || (!self.validate && Split::of(name).is_training());
+        let learns = |name: &str| Split::of(name).is_learned_from(self.validate);
         let pick = |wanted: &dyn Fn(&str) -> bool| -> Vec<Material> {
             library.materials().into_iter().filter(|material| wanted(&material.name)).collect()
         };

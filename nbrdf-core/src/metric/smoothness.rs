@@ -97,27 +97,25 @@ pub fn chromaticity_and_slopes(linear: [f64; 3]) -> ([f64; 2], [[f64; 2]; 3]) {
 
 /// From the nearest point of the segment between two others to `point`.
 pub fn detour(point: [f64; 2], from: [f64; 2], to: [f64; 2]) -> [f64; 2] {
-    let along = [to[0] - from[0], to[1] - from[1]];
-    let offset = [point[0] - from[0], point[1] - from[1]];
-    let length2 = along[0] * along[0] + along[1] * along[1];
-    let share = if length2 > 0.0 { (along[0] * offset[0] + along[1] * offset[1]) / length2 } else { 0.0 };
-    let share = share.clamp(0.0, 1.0);
+    let [along, offset] = [to, point].map(|end| [end[0] - from[0], end[1] - from[1]]);
+    let share = share_along(along, offset).clamp(0.0, 1.0);
     [offset[0] - share * along[0], offset[1] - share * along[1]]
 }
 
 /// The part of a small change of `point` that changes its [`detour`]: across the segment where the nearest point lies
 /// within, all of it where that is an end.
 pub fn change_of_detour(point: [f64; 2], from: [f64; 2], to: [f64; 2], change: [f64; 2]) -> [f64; 2] {
-    let along = [to[0] - from[0], to[1] - from[1]];
+    let [along, offset] = [to, point].map(|end| [end[0] - from[0], end[1] - from[1]]);
+    let share = share_along(along, offset);
+    let lengthwise = if share > 0.0 && share < 1.0 { share_along(along, change) } else { 0.0 };
+    [change[0] - lengthwise * along[0], change[1] - lengthwise * along[1]]
+}
+
+/// How much of `along` lies in `v`; nothing where `along` has no length.
+fn share_along(along: [f64; 2], v: [f64; 2]) -> f64 {
     let dot = |a: [f64; 2], b: [f64; 2]| a[0] * b[0] + a[1] * b[1];
     let length2 = dot(along, along);
-    let share = dot(along, [point[0] - from[0], point[1] - from[1]]) / length2;
-    if share > 0.0 && share < 1.0 {
-        let lengthwise = dot(along, change) / length2;
-        [change[0] - lengthwise * along[0], change[1] - lengthwise * along[1]]
-    } else {
-        change
-    }
+    if length2 > 0.0 { dot(along, v) / length2 } else { 0.0 }
 }
 
 /// Distance of a point from the segment between two others, in their unit.

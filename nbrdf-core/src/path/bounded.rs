@@ -1,8 +1,9 @@
 //! Any path, with a limit beyond its ends: no material there reflects more light than it receives (or than the end).
 //!
 //! x beyond an end becomes r (1 − e^(−x/r)): at the end the path goes on as it came, without a kink, then ever slower,
-//! and never further than its reach r; an end without reach is not left. The reach is where albedo [`LIMIT`] is met, [`FURTHEST`] at most. Points stay
-//! points of the inner path (decoded codes stay networks); derivatives by t fade, but nowhere vanish or jump.
+//! and never further than its reach r. The reach is where albedo [`LIMIT`] is met, [`FURTHEST`] at most; an end without
+//! reach is not left. Points stay points of the inner path (decoded codes stay networks); derivatives by t fade, but
+//! where there is reach they nowhere vanish or jump.
 //!
 //! Between three ends and more, x is the sum of the negative weights. Splines have some (1/8 at most); what they ask for is
 //! shortened by less than x² / 2r, under 0.008 of the span of the ends where nothing is too bright.

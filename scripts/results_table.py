@@ -1,0 +1,34 @@
+"""What the tables of docs/results.md are made of."""
+
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent.parent
+
+# Figures of a representation: key in reports, heading, digits.
+EVALUATE = [
+    ("log_error", "log_error", 4), ("relative_log", "relative_log", 3),
+    ("point_psnr", "point PSNR", 1), ("point_ssim", "point SSIM", 4), ("point_flip", "point FLIP", 3),
+    ("point_delta_e_itp", "point ΔE_ITP", 2),
+    ("studio_psnr", "studio PSNR", 1), ("studio_ssim", "studio SSIM", 4), ("studio_flip", "studio FLIP", 3),
+    ("studio_delta_e_itp", "studio ΔE_ITP", 2),
+]
+
+
+def number(value: float | None, digits: int) -> str:
+    """A figure, or a dash where there is none (infinite or undefined)."""
+    return "–" if value is None else f"{value:.{digits}f}"
+
+
+def table(head: list[str], rows: list[list[str]]) -> str:
+    lines = [head, ["---"] + ["---:"] * (len(head) - 1), *rows]
+    return "\n".join("| " + " | ".join(line) + " |" for line in lines)
+
+
+def thousands(value: int) -> str:
+    """A count with spaces between thousands."""
+    return f"{value:,}".replace(",", " ")
+
+
+def label(row: dict) -> str:
+    """A representation and how its codes are made."""
+    return f"`{row['name']}` {row['variant'].replace('_', '-')}"
