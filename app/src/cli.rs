@@ -8,8 +8,8 @@ use clap::{Arg, CommandFactory as _, FromArgMatches as _, Parser, Subcommand};
 use crate::command::Global;
 use crate::command::{
     axes::Axes, blend::Blend, compare::Compare, completions::Completions, decode::Decode, edit::Edit, encode::Encode,
-    evaluate::Evaluate, import::Import, info::Info, list::List, render::Render, sampling::Sampling, speed::Speed,
-    train::Train,
+    evaluate::Evaluate, fit::Fit, import::Import, info::Info, list::List, render::Render, sampling::Sampling,
+    speed::Speed, train::Train,
 };
 use crate::failure::exit_code;
 
@@ -30,6 +30,7 @@ enum Command {
     #[cfg(feature = "gui")]
     App(crate::gui::App),
     Import(Import),
+    Fit(Fit),
     Train(Train),
     Encode(Encode),
     Decode(Decode),
@@ -72,6 +73,7 @@ impl Cli {
             Some(Command::List(command)) => command.run(&self.global),
             Some(Command::Info(command)) => command.run(&self.global),
             Some(Command::Import(command)) => command.run(&self.global),
+            Some(Command::Fit(command)) => command.run(&self.global),
             Some(Command::Train(command)) => command.run(&self.global),
             Some(Command::Evaluate(command)) => command.run(&self.global),
             Some(Command::Compare(command)) => command.run(&self.global),

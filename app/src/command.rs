@@ -8,6 +8,7 @@ pub mod decode;
 pub mod edit;
 pub mod encode;
 pub mod evaluate;
+pub mod fit;
 pub mod import;
 pub mod info;
 pub mod list;

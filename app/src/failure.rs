@@ -3,6 +3,7 @@
 use autoencoder::{CheckpointError, TrainError};
 use nbrdf_core::library::refit::RefitError;
 use nbrdf_core::library::{LibraryError, UnknownMaterial};
+use nbrdf_core::measured::MeasuredError;
 use nbrdf_core::nbrdf::file::ReadError;
 use nbrdf_core::path::{PathError, WeightsError};
 use nbrdf_core::render::environment::EnvironmentError;
@@ -32,6 +33,7 @@ pub fn exit_code(error: &anyhow::Error) -> u8 {
         let usage = cause.is::<UnknownMaterial>() || cause.is::<WeightsError>();
         let invalid = cause.is::<LibraryError>()
             || cause.is::<ReadError>()
+            || cause.is::<MeasuredError>()
             || cause.is::<DecodeError>()
             || cause.is::<EncodeError>()
             || cause.is::<PathError>()

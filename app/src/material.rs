@@ -8,6 +8,7 @@ use std::sync::Arc;
 use anyhow::{Context, Result};
 use clap::Args;
 use nbrdf_core::library::{Entry, builtin};
+use nbrdf_core::measured::{self, Measured, is_measured};
 use nbrdf_core::{Code, Library, Material, Split};
 
 pub use code_file::{STDIN, read_code};
@@ -116,16 +117,38 @@ pub fn split_of(name: &str) -> Option<Split> {
     standard.then(|| Split::of(name))
 }
 
+/// A measured table is a material; a list of samples is none yet.
+fn measured_in(path: &Path) -> Result<Item> {
+    match Measured::load(path)? {
+        Measured::Everywhere(table) => Ok(Item { material: measured::material(path, table), entry: None, code: None }),
+        Measured::Somewhere(_) => {
+            let path = path.display();
+            let found = format!(
+                "{path} holds samples at some directions: `nbrdf fit {path} -o NETWORK.npz` makes a material of them"
+            );
+            Err(Failure::Usage(found).into())
+        }
+    }
+}
+
 /// A path, rather than a misspelt name.
 fn means_a_file(argument: &str) -> bool {
     const FORMS: [&str; 7] = ["h5", "hdf5", "npz", "npy", "safetensors", "json", "zip"];
     let path = Path::new(argument);
     let extension = path.extension().and_then(|extension| extension.to_str()).unwrap_or_default();
     let by_extension = FORMS.iter().any(|form| extension.eq_ignore_ascii_case(form));
-    by_extension || path.is_absolute() || argument.starts_with("./") || argument.starts_with("../") || path.exists()
+    by_extension
+        || is_measured(path)
+        || path.is_absolute()
+        || argument.starts_with("./")
+        || argument.starts_with("../")
+        || path.exists()
 }
 
 fn network_in(path: &Path) -> Result<Item> {
+    if is_measured(path) {
+        return measured_in(path);
+    }
     if !path.exists() {
         let found = format!("{}: expected the file of a network, found no such file", path.display());
         return Err(Failure::InvalidFile(format!("{found}: check the path; `nbrdf list` names the materials")).into());

@@ -1,5 +1,7 @@
 //! `nbrdf info`: what is known about one material.
 
+use std::collections::BTreeMap;
+
 use anyhow::Result;
 use autoencoder::Autoencoder;
 use clap::Args;
@@ -12,6 +14,7 @@ use serde_json::{Value, json};
 
 use super::Global;
 use crate::material::{Item, Sources};
+use crate::measure::Target;
 use crate::report;
 
 /// Viewing angles at which albedo is told \[degrees\].
@@ -25,6 +28,9 @@ pub struct Info {
     /// Name of a material, the file of a network, or a code (`-` for standard input).
     #[arg(value_name = "MATERIAL|FILE|CODE")]
     material: String,
+    /// Another material, measurement or code: how far the first is from it, by every metric.
+    #[arg(long, value_name = "MATERIAL|FILE|CODE")]
+    against: Option<String>,
     #[command(flatten)]
     sources: Sources,
 }
@@ -48,6 +54,14 @@ impl Info {
         let live = item.material.network.as_ref().map(|network| (network.live(), Live::all(network.hidden())));
         let lobe = Lobe::fit(item.material.brdf.as_ref());
         let albedo: Vec<_> = ANGLES.map(|angle| (angle, albedo(&item.material, angle))).to_vec();
+        let against = match &self.against {
+            Some(reference) => {
+                let reference = shelf.material_or_code(reference)?.material;
+                let figures = Target::new(reference.brdf.as_ref()).figures(item.material.brdf.as_ref());
+                Some((reference.name, figures))
+            }
+            None => None,
+        };
         let summary = json!({
             "schema": 1, "name": item.material.name, "database": Database::of(&item.material.name),
             "split": item.split(), "held_out": item.split() == Some(nbrdf_core::Split::HeldOut),
@@ -65,9 +79,12 @@ impl Info {
                 "checkpoint": known.checkpoint, "log_error": known.log_error, "studio_psnr": known.studio_psnr,
                 "distance": known.distance,
             },
+            "against": against.as_ref().map(|(name, figures)| json!({"name": name, "figures": figures})),
         });
         global.check_energy(&item.material.name, physics.albedo_max)?;
-        report::print(global, &summary, || Text { item: &item, physics, albedo, known, live, lobe }.lines(znbrdf.dim()))
+        report::print(global, &summary, || {
+            Text { item: &item, physics, albedo, known, live, lobe, against }.lines(znbrdf.dim())
+        })
     }
 }
 
@@ -106,11 +123,13 @@ struct Text<'a> {
     /// What of a network can ever fire, and all of it.
     live: Option<(Live, Live)>,
     lobe: Lobe,
+    /// Name and figures of what it is compared with.
+    against: Option<(String, BTreeMap<String, f64>)>,
 }
 
 impl Text<'_> {
     fn lines(&self, dim: usize) -> String {
-        let Self { item, physics, albedo, known, live, lobe } = self;
+        let Self { item, physics, albedo, known, live, lobe, against } = self;
         let mut lines = vec![item.material.name.clone()];
         let mut line = |key: &str, value: String| lines.push(format!("  {key:16}{value}"));
         let split = match item.split() {
@@ -143,6 +162,12 @@ impl Text<'_> {
         if let Some(distance) = known.distance {
             let verdict = if distance > FAR { "far from all that training saw" } else { "near what training saw" };
             line("code's distance", format!("{distance:.2}  {verdict}; 1 is how far training materials are apart"));
+        }
+        if let Some((name, figures)) = against {
+            line("against", name.clone());
+            for (key, value) in figures {
+                line(&format!("  {key:19}"), report::figure(*value));
+            }
         }
         lines.join("\n") + "\n"
     }

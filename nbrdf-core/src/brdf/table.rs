@@ -4,7 +4,9 @@
 //! evenly; reciprocity folds φ_diff to 0..π. Cells hold the value at their middle; looked up nearest or interpolated.
 
 use std::f32::consts::{FRAC_PI_2, PI};
+use std::sync::OnceLock;
 
+use half::f16;
 use pulp::{Simd, WithSimd};
 use rayon::prelude::*;
 
@@ -25,34 +27,87 @@ pub enum Lookup {
     Trilinear,
 }
 
+/// How much a cell counts whose value was not measured: only where there is nothing else.
+const FILLED: f32 = 1e-6;
+
+/// Numbers in memory.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Precision {
+    /// 32 bits each: 16 bytes per cell.
+    Single,
+    /// 16 bits each: 8 bytes per cell, three digits.
+    Half,
+}
+
 /// A table of reflectances.
 #[derive(Clone, Debug)]
 pub struct Table {
     lookup: Lookup,
-    /// Red, green, blue and nothing of every cell, φ_diff running fastest: a cell is one load of 16 bytes.
-    cells: Vec<[f32; 4]>,
+    cells: Cells,
+}
+
+/// Red, green, blue and weight of every cell, φ_diff running fastest: a cell is one load.
+#[derive(Clone, Debug)]
+enum Cells {
+    Single(Vec<[f32; 4]>),
+    Half(Vec<[f16; 4]>),
+}
+
+impl Cells {
+    #[inline(always)]
+    fn get(&self, index: usize) -> [f32; 4] {
+        match self {
+            Self::Single(cells) => cells[index],
+            Self::Half(cells) => cells[index].map(f16::to_f32),
+        }
+    }
 }
 
 impl Table {
-    /// Tabulates a reflectance. A cell whose middle is below the horizon repeats the last one above it towards smaller
-    /// θ_half, so that interpolation next to the horizon mixes in no made-up zero.
+    /// Tabulates a reflectance at the [`middles`] of cells that are above the horizon.
     pub fn tabulate(brdf: &dyn Brdf, lookup: Lookup) -> Self {
+        let at = middles();
+        let mut values = vec![Rgb::BLACK; at.len()];
+        at.par_chunks(4096).zip(values.par_chunks_mut(4096)).for_each(|(at, out)| brdf.eval_into(at, out));
+        Self::of_cells(at.iter().zip(values).map(|(at, value)| at.is_above().then_some(value)), lookup)
+    }
+
+    /// From the values of cells, φ_diff running fastest; `None` was not measured. Such a cell repeats its neighbour towards
+    /// smaller θ_half (else θ_diff, else φ_diff), and counts in an interpolation only where no measured one is near: what
+    /// is next to a gap or the horizon mixes in nothing made up.
+    ///
+    /// # Panics
+    /// If there are not as many as [`CELLS`] says (a bug of the caller).
+    pub fn of_cells(values: impl Iterator<Item = Option<Rgb>>, lookup: Lookup) -> Self {
         let [half, diff, phi] = CELLS;
-        let mut cells = vec![[0.0; 4]; half * diff * phi];
-        cells.par_chunks_mut(diff * phi).enumerate().for_each(|(h, cells)| {
-            let at: Vec<Directions> = (0..diff * phi).map(|i| middle(h, i / phi, i % phi)).collect();
-            let mut values = vec![Rgb::BLACK; at.len()];
-            brdf.eval_into(&at, &mut values);
-            cells.iter_mut().zip(values).for_each(|(cell, Rgb([r, g, b]))| *cell = [r, g, b, 0.0]);
-        });
-        for h in 1..half {
-            for i in 0..diff * phi {
-                if !middle(h, i / phi, i % phi).is_above() {
-                    cells[h * diff * phi + i] = cells[(h - 1) * diff * phi + i];
-                }
-            }
+        let mut cells: Vec<[f32; 4]> = Vec::with_capacity(half * diff * phi);
+        for (index, value) in values.enumerate() {
+            let before = match index {
+                0 => None,
+                _ if index >= diff * phi => Some(index - diff * phi),
+                _ if index >= phi => Some(index - phi),
+                _ => Some(index - 1),
+            };
+            let [r, g, b, _] = before.map_or([0.0; 4], |before| cells[before]);
+            cells.push(value.map_or([r, g, b, FILLED], |Rgb([r, g, b])| [r, g, b, 1.0]));
         }
-        Self { lookup, cells }
+        assert_eq!(cells.len(), half * diff * phi, "cells of a table");
+        Self { lookup, cells: Cells::Single(cells) }
+    }
+
+    /// The same table in more or less memory; in half precision f_r is 65504 at most.
+    pub fn with_precision(self, precision: Precision) -> Self {
+        let cells = match (self.cells, precision) {
+            (Cells::Single(cells), Precision::Half) => {
+                let half = |v: f32| f16::from_f32(v.min(f16::MAX.to_f32()));
+                Cells::Half(cells.into_iter().map(|cell| cell.map(half)).collect())
+            }
+            (Cells::Half(cells), Precision::Single) => {
+                Cells::Single(cells.into_iter().map(|cell| cell.map(f16::to_f32)).collect())
+            }
+            (cells, _) => cells,
+        };
+        Self { cells, ..self }
     }
 
     /// The same table, looked up otherwise.
@@ -62,7 +117,10 @@ impl Table {
 
     /// Bytes of the table in memory.
     pub fn bytes(&self) -> usize {
-        size_of_val(self.cells.as_slice())
+        match &self.cells {
+            Cells::Single(cells) => size_of_val(cells.as_slice()),
+            Cells::Half(cells) => size_of_val(cells.as_slice()),
+        }
     }
 
     /// The value at a place in units of cells, measured from the edge of the first.
@@ -72,7 +130,7 @@ impl Table {
         let index = |h: usize, d: usize, p: usize| (h * diff + d) * phi + p;
         if self.lookup == Lookup::Nearest {
             let cell = |at: f32, cells: usize| (at as usize).min(cells - 1);
-            let [r, g, b, _] = self.cells[index(cell(h, CELLS[0]), cell(d, diff), cell(p, phi))];
+            let [r, g, b, _] = self.cells.get(index(cell(h, CELLS[0]), cell(d, diff), cell(p, phi)));
             return Rgb([r, g, b]);
         }
         let clamped = |at: f32, cells: usize| {
@@ -90,15 +148,26 @@ impl Table {
         for (h, wh) in [(h, 1.0 - th), (h + 1, th)] {
             for (d, wd) in [(d, 1.0 - td), (d + 1, td)] {
                 for (p, wp) in phis {
-                    let (cell, weight) = (&self.cells[index(h, d, p)], wh * wd * wp);
-                    for (sum, value) in sum.iter_mut().zip(cell) {
+                    let [r, g, b, measured] = self.cells.get(index(h, d, p));
+                    let weight = wh * wd * wp * measured;
+                    for (sum, value) in sum.iter_mut().zip([r, g, b, 1.0]) {
                         *sum += weight * value;
                     }
                 }
             }
         }
-        Rgb([sum[0], sum[1], sum[2]])
+        Rgb([sum[0], sum[1], sum[2]]) * (1.0 / sum[3])
     }
+}
+
+/// The pairs in the middles of all cells, φ_diff running fastest; some lie below the horizon.
+pub fn middles() -> &'static [Directions] {
+    static MIDDLES: OnceLock<Vec<Directions>> = OnceLock::new();
+    MIDDLES.get_or_init(|| {
+        let [half, diff, phi] = CELLS;
+        let cell = |index: usize| middle(index / (diff * phi), index / phi % diff, index % phi);
+        (0..half * diff * phi).into_par_iter().map(cell).collect()
+    })
 }
 
 /// The pair in the middle of a cell.
@@ -195,6 +264,28 @@ mod tests {
     fn a_smooth_material_is_read_back_and_interpolation_is_closer() {
         let (nearest, trilinear) = (error(Lookup::Nearest), error(Lookup::Trilinear));
         assert!(nearest < 0.1 && trilinear < 0.01, "nearest {nearest}, trilinear {trilinear}");
+    }
+
+    #[test]
+    fn half_precision_takes_half_the_memory_and_costs_three_digits() {
+        let single = Table::tabulate(&SMOOTH, Lookup::Trilinear);
+        let half = single.clone().with_precision(Precision::Half);
+        assert_eq!(2 * half.bytes(), single.bytes());
+        for &at in rus32k().iter().step_by(17) {
+            let relative = single.eval(at).zip(half.eval(at), |a, b| (a - b).abs() / a.max(1e-3)).max();
+            assert!(relative < 2e-3, "{relative}");
+        }
+    }
+
+    #[test]
+    fn a_gap_is_bridged_by_what_is_around_it() {
+        let grey = Rgb([0.2, 0.5, 0.8]);
+        let middles = middles();
+        let measured = |(index, _): (usize, &Directions)| (index % 3 == 0 && index > 50_000).then_some(grey);
+        let table = Table::of_cells(middles.iter().enumerate().map(measured), Lookup::Trilinear);
+        for &at in rus32k().iter().step_by(7).filter(|at| at.rusinkiewicz().theta_half > 0.2) {
+            assert!(table.eval(at).zip(grey, |a, b| (a - b).abs()).max() < 1e-5, "{at:?}");
+        }
     }
 
     #[test]

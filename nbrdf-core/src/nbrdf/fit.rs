@@ -13,7 +13,8 @@ use super::objective::{Objective, features, features_into, pull_back};
 use super::samples::{Angular, SampleCounts, Samples};
 use super::{Layout, Nbrdf, PUBLISHED_HIDDEN, weight_count};
 use crate::adam::{Adam, Pace};
-use crate::{Brdf, Rgb};
+use crate::sample_list::SampleList;
+use crate::{Brdf, Directions, Rgb};
 
 /// How long and how carefully to fit.
 #[derive(Clone, Copy, Debug)]
@@ -78,23 +79,54 @@ impl Sets {
         };
         Self((0..options.steps.div_ceil(STEPS_PER_SET).min(SETS) as u64).into_par_iter().map(draw).collect())
     }
+
+    /// What is to be found on every set.
+    fn wanted(&self, target: &dyn Brdf) -> Vec<Vec<f32>> {
+        self.0.iter().map(|samples| features(samples, &samples.values(target))).collect()
+    }
 }
 
 /// Fits one network, starting at `start`.
 ///
 /// `cancelled` is asked now and then; a cancelled fit returns `None`, and so does one that diverges.
 pub fn fit(start: &Nbrdf, target: &dyn Brdf, options: FitOptions, cancelled: &dyn Fn() -> bool) -> Option<Nbrdf> {
-    fit_on(&Sets::new(&options), start, target, options, cancelled)
+    let sets = Sets::new(&options);
+    fit_on(&sets, &sets.wanted(target), start, options, cancelled)
+}
+
+/// As [`fit`], to samples in a list; each counts as it is and with light and view exchanged, by reciprocity.
+///
+/// `None` also if the list is empty.
+pub fn fit_list(start: &Nbrdf, list: &SampleList, options: FitOptions, cancelled: &dyn Fn() -> bool) -> Option<Nbrdf> {
+    if list.is_empty() {
+        return None;
+    }
+    let counts = SampleCounts { pixels: 0, lamps: 0, ..SampleCounts::STEP };
+    let draw = |set| {
+        let rng = &mut generator(options.seed, (1 << 41) + set);
+        let picks: Vec<(usize, bool)> = (0..counts.log + counts.relative)
+            .map(|_| (rng.random_range(0..list.len()), rng.random_range(0..2) == 1))
+            .collect();
+        let at: Vec<Directions> =
+            picks.iter().map(|&(i, swap)| if swap { list.at[i].swapped() } else { list.at[i] }).collect();
+        let factors = at.iter().map(|at| at.light.z).collect();
+        let samples = Samples::new(counts, at, factors);
+        let values: Vec<Rgb> = picks.iter().map(|&(i, _)| list.values[i]).collect();
+        let wanted = features(&samples, &values);
+        (samples, wanted)
+    };
+    let count = options.steps.div_ceil(STEPS_PER_SET).min(SETS) as u64;
+    let (sets, wanted): (Vec<_>, Vec<_>) = (0..count).into_par_iter().map(draw).unzip();
+    fit_on(&Sets(sets), &wanted, start, options, cancelled)
 }
 
 fn fit_on(
     Sets(sets): &Sets,
+    wanted: &[Vec<f32>],
     start: &Nbrdf,
-    target: &dyn Brdf,
     options: FitOptions,
     cancelled: &dyn Fn() -> bool,
 ) -> Option<Nbrdf> {
-    let wanted: Vec<Vec<f32>> = sets.iter().map(|samples| features(samples, &samples.values(target))).collect();
     let mut rng = generator(options.seed, 1);
     let mut step = Step::new(start);
     for index in 0..options.steps {
@@ -163,7 +195,7 @@ pub fn fit_all(
 ) -> Option<Vec<Nbrdf>> {
     let sets = Sets::new(&options);
     let one = |(start, target): &(Nbrdf, &dyn Brdf)| {
-        let fitted = fit_on(&sets, start, *target, options, cancelled);
+        let fitted = fit_on(&sets, &sets.wanted(*target), start, options, cancelled);
         done();
         fitted
     };
@@ -172,7 +204,12 @@ pub fn fit_all(
 
 /// A network of the published shape with random weights.
 pub fn random_network(seed: u64, stream: u64) -> Nbrdf {
-    Nbrdf::of_valid(PUBLISHED_HIDDEN, random_start(&mut generator(seed, stream), PUBLISHED_HIDDEN))
+    random_hidden(seed, stream, PUBLISHED_HIDDEN)
+}
+
+/// A network of any widths with random weights.
+pub fn random_hidden(seed: u64, stream: u64, hidden: [usize; 2]) -> Nbrdf {
+    Nbrdf::of_valid(hidden, random_start(&mut generator(seed, stream), hidden))
 }
 
 /// Learning rate that falls from `rate` to zero along half a cosine.

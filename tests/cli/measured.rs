@@ -1,0 +1,50 @@
+//! Measured files: looked at, fitted, refused.
+
+use nbrdf_core::data::published_or_skip;
+
+use super::support::Place;
+
+#[test]
+fn measured_files_are_materials_and_networks_are_fitted_to_them() {
+    let place = Place::new();
+    let bsdf = published_or_skip("rgl_measured/paper_white_rgb.bsdf");
+    let list = published_or_skip("cornell_measured/krylon_blue.brdf");
+    let (Some(bsdf), Some(list)) = (bsdf, list) else { return };
+    let (bsdf, list) = (bsdf.to_str().unwrap(), list.to_str().unwrap());
+    place.run(&["render", bsdf, "-o", "paper.png", "--size", "32"]).ok();
+    assert_eq!(place.run(&["encode", bsdf]).json()["material"], "rgl/paper_white");
+    let fitted = place.run(&["fit", bsdf, "-o", "paper.npz", "--steps", "300", "--json"]).json();
+    assert!(fitted["error"]["log_error"].as_f64().unwrap() < 0.1, "{fitted}");
+    let against = place.run(&["info", "paper.npz", "--against", bsdf, "--json"]).json();
+    assert_eq!(against["against"]["name"], "rgl/paper_white");
+    assert_eq!(against["against"]["figures"]["log_error"], fitted["error"]["log_error"]);
+    assert!(place.run(&["info", "chrome", "--against", "paper.npz"]).text().contains("studio_delta_e_itp"));
+    let said = place.run(&["render", list, "-o", "x.png"]).fails(2);
+    assert!(said.contains("nbrdf fit"), "{said}");
+    let wide = ["fit", list, "-o", "blue.npz", "--steps", "300", "--hidden", "16,16", "--leave-out", "10", "--json"];
+    let fitted = place.run(&wide).json();
+    assert_eq!(fitted["hidden"], serde_json::json!([16, 16]));
+    assert!(fitted["error"]["mean_relative_error"].as_f64().unwrap() < 1.0, "{fitted}");
+    assert_eq!(place.run(&["info", "blue.npz", "--json"]).json()["hidden"], serde_json::json!([16, 16]));
+}
+
+#[test]
+fn files_that_are_no_measurement_exit_with_3_and_write_nothing() {
+    let place = Place::new();
+    for (name, bytes) in [
+        ("a.binary", &b"short"[..]),
+        ("b.bsdf", b"tensor_file\0\x01\0\xff\xff\xff\xff"),
+        ("c.brdf", b"x"),
+        ("d.csv", b""),
+    ] {
+        place.write(name, bytes);
+        let said = place.run(&["fit", name, "-o", "out.npz"]).fails(3);
+        assert!(said.contains(name) && said.contains("expected"), "{said}");
+    }
+    place.run(&["fit", "missing.binary", "-o", "out.npz"]).fails(3);
+    place.run(&["fit", "a.binary", "-o", "out.exe"]).fails(2);
+    for hidden in ["21", "0,21", "21,257", "21,21,21", "21,x"] {
+        place.run(&["fit", "a.binary", "-o", "out.npz", "--hidden", hidden]).fails(2);
+    }
+    assert_eq!(place.names(), ["a.binary", "b.bsdf", "c.brdf", "d.csv"]);
+}
