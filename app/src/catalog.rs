@@ -11,6 +11,8 @@ use std::sync::Arc;
 
 use anyhow::Result;
 use nbrdf_core::metric::{LogError, Metric, RelativeLog, Rendered};
+use nbrdf_core::nbrdf::PUBLISHED_HIDDEN;
+use nbrdf_core::nbrdf::precision::Precision;
 use nbrdf_core::path::bounded::Bounded;
 use nbrdf_core::path::code_path::CodeInterpolation;
 use nbrdf_core::path::even::Even;
@@ -18,13 +20,14 @@ use nbrdf_core::path::geodesic::Geodesic;
 use nbrdf_core::path::mix::Mix;
 use nbrdf_core::path::nearest_end::NearestEnd;
 use nbrdf_core::path::weight_path::WeightInterpolation;
+use nbrdf_core::representation::network::Network;
 use nbrdf_core::representation::refined::Refined;
 use nbrdf_core::{Interpolation, Representation};
 
 pub use learned::Catalog;
 pub use reference::Reference;
 
-use twin::{independent_network, shared_start_network};
+use twin::{WithNetwork, independent_network, shared_start_network};
 
 /// Numbers in a code of the learned representations.
 pub const DIM: usize = 32;
@@ -38,7 +41,9 @@ pub enum Variant {
     Unrolled,
     /// By projection onto a linear basis.
     Projection,
-    /// By either, then a few steps against the target itself.
+    /// By a fit to the material.
+    Fitted,
+    /// By an encoder or a projection, then a few steps against the target itself.
     Refined,
 }
 
@@ -49,6 +54,7 @@ impl Variant {
             Self::FeedForward => "feed_forward",
             Self::Unrolled => "unrolled",
             Self::Projection => "projection",
+            Self::Fitted => "fitted",
             Self::Refined => "refined",
         }
     }
@@ -122,7 +128,43 @@ pub const REPRESENTATIONS: &[RepresentationEntry] = &[
         about: "PCA of shared-start weights",
         build: |catalog| Ok(catalog.pca_weights()?),
     },
+    RepresentationEntry {
+        name: "nbrdf",
+        variant: Variant::Fitted,
+        about: "NBRDF: a 6-21-21-3 network of its own, fitted from the shared start",
+        build: |_| Ok(own_network("nbrdf", Precision::Single)),
+    },
+    RepresentationEntry {
+        name: "nbrdf_half",
+        variant: Variant::Fitted,
+        about: "NBRDF, weights in half precision",
+        build: |_| Ok(own_network("nbrdf_half", Precision::Half)),
+    },
+    RepresentationEntry {
+        name: "nbrdf_byte",
+        variant: Variant::Fitted,
+        about: "NBRDF, weights in bytes with a scale for each unit",
+        build: |_| Ok(own_network("nbrdf_byte", Precision::Byte)),
+    },
+    RepresentationEntry {
+        name: "nbrdf_10",
+        variant: Variant::Fitted,
+        about: "a 6-10-10-3 network of its own",
+        build: |_| Ok(Arc::new(Network::new("nbrdf_10", [10, 10], Precision::Single))),
+    },
+    RepresentationEntry {
+        name: "nbrdf_32",
+        variant: Variant::Fitted,
+        about: "a 6-32-32-3 network of its own",
+        build: |_| Ok(Arc::new(Network::new("nbrdf_32", [32, 32], Precision::Single))),
+    },
 ];
+
+/// Networks of the published widths, fitted from the shared start.
+fn own_network(name: &'static str, precision: Precision) -> Shared {
+    let inner = Network::new(name, PUBLISHED_HIDDEN, precision);
+    Arc::new(WithNetwork { inner, source: shared_start_network })
+}
 
 /// Every interpolation, in the order of reports.
 pub const INTERPOLATIONS: &[InterpolationEntry] = &[

@@ -12,6 +12,7 @@ pub mod keras;
 pub(crate) mod kernel;
 pub mod npy;
 pub mod objective;
+pub mod precision;
 mod prune;
 pub mod safetensors;
 pub mod samples;

@@ -2,6 +2,7 @@
 
 pub mod code;
 pub mod log_table;
+pub mod network;
 pub mod pca;
 pub mod pca_tables;
 pub mod pca_weights;
@@ -24,6 +25,11 @@ pub trait Representation: Send + Sync {
 
     /// Hash of what was learned (basis, network); codes carry it, so that they are never read with another one.
     fn checkpoint(&self) -> &str;
+
+    /// Bytes that are kept of every material: a code of single precision, unless a representation says otherwise.
+    fn code_bytes(&self) -> usize {
+        size_of::<f32>() * self.dim()
+    }
 
     /// Bytes that decoding reads beside the code, the same for all materials: basis, decoder.
     fn shared_bytes(&self) -> usize;
@@ -96,6 +102,10 @@ impl<R: Representation + ?Sized> Representation for std::sync::Arc<R> {
 
     fn checkpoint(&self) -> &str {
         (**self).checkpoint()
+    }
+
+    fn code_bytes(&self) -> usize {
+        (**self).code_bytes()
     }
 
     fn shared_bytes(&self) -> usize {

@@ -60,6 +60,10 @@ impl<R: Representation> Representation for WithNetwork<R> {
         self.inner.checkpoint()
     }
 
+    fn code_bytes(&self) -> usize {
+        self.inner.code_bytes()
+    }
+
     fn shared_bytes(&self) -> usize {
         self.inner.shared_bytes()
     }

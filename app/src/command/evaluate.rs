@@ -116,7 +116,7 @@ impl Evaluate {
                 costs.sort_by(|a, b| a.ns.total_cmp(&b.ns));
                 let cost = costs.get(costs.len() / 2);
                 let mut row = self.row(entry, *database, &measured);
-                row["bytes"] = (size_of::<f32>() * representation.dim()).into();
+                row["bytes"] = representation.code_bytes().into();
                 row["shared_bytes"] = representation.shared_bytes().into();
                 row["ns"] = json!(cost.map(|cost| cost.ns));
                 row["ratio_to_reference_loop"] = json!(cost.map(|cost| cost.ratio_to_reference_loop));

@@ -128,6 +128,10 @@ impl<R: Representation + ?Sized> Representation for Refined<R> {
         self.inner.checkpoint()
     }
 
+    fn code_bytes(&self) -> usize {
+        self.inner.code_bytes()
+    }
+
     fn shared_bytes(&self) -> usize {
         self.inner.shared_bytes()
     }
