@@ -1,4 +1,4 @@
-//! A trained autoencoder as a representation: materials in, 32 numbers, materials out.
+//! A trained autoencoder as a representation: materials in, a few numbers (32 in the built-in ones), materials out.
 
 use std::cell::Cell;
 use std::path::Path;
@@ -16,7 +16,6 @@ use crate::checkpoint::{Checkpoint, CheckpointError, invalid};
 use crate::inference::{self, Inference};
 use crate::known::Known;
 use crate::lobe::LobeNetwork;
-use crate::model::DIM;
 use crate::probe::Probes;
 
 /// Which autoencoder.
@@ -90,7 +89,7 @@ impl Autoencoder {
         let mut restored = Self::of(architecture, file)?;
         if architecture == Architecture::Znbrdf {
             file.check_probes()?;
-            restored.lobe = Some(LobeNetwork::new(file)?);
+            restored.lobe = Some(LobeNetwork::new(file, restored.dim())?);
             restored.known = Some(Known::new(file)?);
         }
         Ok(restored)
@@ -121,7 +120,7 @@ impl Autoencoder {
 
     /// The network that a code stands for.
     pub fn decode_network(&self, code: &Code) -> Result<Nbrdf, DecodeError> {
-        let numbers = code.checked(self.name(), &self.hash, DIM)?;
+        let numbers = code.checked(self.name(), &self.hash, self.dim())?;
         let mut weights = vec![0.0; PUBLISHED_WEIGHTS];
         self.inference.decode(numbers, &mut weights);
         Nbrdf::published(weights).map_err(|error| DecodeError::Failed(error.to_string()))
@@ -129,7 +128,7 @@ impl Autoencoder {
 
     /// The lobe to sample what a code stands for; none in an architecture that has not learned lobes.
     pub fn lobe(&self, code: &Code) -> Result<Option<Lobe>, DecodeError> {
-        let numbers = code.checked(self.name(), &self.hash, DIM)?;
+        let numbers = code.checked(self.name(), &self.hash, self.dim())?;
         Ok(self.lobe.as_ref().map(|network| network.predict(numbers)))
     }
 
@@ -150,7 +149,7 @@ impl Autoencoder {
     }
 
     fn checked<'a>(&self, numbers: &'a [f32]) -> Result<&'a [f32], DecodeError> {
-        check_numbers(self.name(), numbers, DIM)
+        check_numbers(self.name(), numbers, self.dim())
     }
 }
 
@@ -160,7 +159,7 @@ impl Representation for Autoencoder {
     }
 
     fn dim(&self) -> usize {
-        DIM
+        self.inference.dim()
     }
 
     fn checkpoint(&self) -> &str {
@@ -172,7 +171,7 @@ impl Representation for Autoencoder {
     }
 
     fn encode(&self, target: &Material) -> Result<Code, EncodeError> {
-        let mut code = vec![0.0; DIM];
+        let mut code = vec![0.0; self.dim()];
         match self.architecture {
             Architecture::Znbrdf => {
                 let values = self.probes.probe(target.brdf.as_ref());
@@ -209,7 +208,7 @@ impl Representation for Autoencoder {
 
     fn linearize(&self, numbers: &[f32]) -> Result<Option<Linearized>, DecodeError> {
         let numbers = self.checked(numbers)?;
-        let (mut weights, mut by_number) = (vec![0.0; PUBLISHED_WEIGHTS], vec![0.0; DIM * PUBLISHED_WEIGHTS]);
+        let (mut weights, mut by_number) = (vec![0.0; PUBLISHED_WEIGHTS], vec![0.0; self.dim() * PUBLISHED_WEIGHTS]);
         self.inference.linearize(numbers, &mut weights, &mut by_number);
         Ok(Some(Linearized { hidden: PUBLISHED_HIDDEN, weights, by_number }))
     }

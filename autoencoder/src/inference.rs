@@ -11,16 +11,19 @@ use crate::checkpoint::{Checkpoint, CheckpointError};
 
 /// A trained autoencoder, ready to be used.
 pub(crate) trait Inference: Send + Sync {
-    /// Code \[32\] of one encoder input.
+    /// Numbers in a code.
+    fn dim(&self) -> usize;
+
+    /// Code \[dim\] of one encoder input.
     fn encode(&self, input: &[f32], code: &mut [f32]);
 
     /// Bytes that decoding reads.
     fn decoder_bytes(&self) -> usize;
 
-    /// Weights \[675\] of one code \[32\]; allocates nothing after the first call on a thread.
+    /// Weights \[675\] of one code \[dim\]; allocates nothing after the first call on a thread.
     fn decode(&self, code: &[f32], weights: &mut [f32]);
 
-    /// Weights \[675\] of one code \[32\], and ∂weights/∂code \[32, 675\].
+    /// Weights \[675\] of one code \[dim\], and ∂weights/∂code \[dim, 675\].
     fn linearize(&self, code: &[f32], weights: &mut [f32], by_number: &mut [f32]);
 }
 
@@ -40,15 +43,19 @@ mod tests {
     use rand::RngExt;
 
     use super::*;
-    use crate::model::{DIM, FEATURES, Model, PublishedModel, ZnbrdfModel};
+    use crate::model::{CodeLayout, FEATURES, Model, PublishedModel, ZnbrdfModel};
 
     fn models() -> Vec<(Architecture, Box<dyn Model>)> {
         let rng = &mut generator(3, 0);
         let (start, spread) = (random_network(1, 0), vec![0.3; PUBLISHED_WEIGHTS]);
-        vec![
-            (Architecture::Znbrdf, Box::new(ZnbrdfModel::new(start.weights(), &spread, rng).unwrap())),
-            (Architecture::Published, Box::new(PublishedModel::new(start.weights(), &spread, rng).unwrap())),
-        ]
+        let mut models: Vec<(Architecture, Box<dyn Model>)> = Vec::new();
+        for dim in [2, 4, 32, 64] {
+            let model = ZnbrdfModel::new(CodeLayout::new(dim), start.weights(), &spread, rng);
+            models.push((Architecture::Znbrdf, Box::new(model.unwrap())));
+        }
+        let published = PublishedModel::new(start.weights(), &spread, rng);
+        models.push((Architecture::Published, Box::new(published.unwrap())));
+        models
     }
 
     fn random(count: usize) -> Vec<f32> {
@@ -72,7 +79,7 @@ mod tests {
                 Architecture::Znbrdf => (random(3 * FEATURES), vec![1, 3, FEATURES]),
                 Architecture::Published => (random(PUBLISHED_WEIGHTS), vec![1, PUBLISHED_WEIGHTS]),
             };
-            let (mut code, mut weights) = (vec![0.0; DIM], vec![0.0; PUBLISHED_WEIGHTS]);
+            let (mut code, mut weights) = (vec![0.0; inference.dim()], vec![0.0; PUBLISHED_WEIGHTS]);
             inference.encode(&input, &mut code);
             let other = model.encode(&Tensor::from_vec(input, shape, &Device::Cpu)?)?;
             assert_close(&code, &other);
@@ -86,10 +93,11 @@ mod tests {
     fn derivatives_by_the_code_are_those_of_candles_autodiff() -> Result<()> {
         for (architecture, model) in models() {
             let inference = build(architecture, &Checkpoint::of(model.as_ref()).unwrap()).unwrap();
-            let code = random(DIM);
-            let (mut weights, mut by_number) = (vec![0.0; PUBLISHED_WEIGHTS], vec![0.0; DIM * PUBLISHED_WEIGHTS]);
+            let dim = inference.dim();
+            let code = random(dim);
+            let (mut weights, mut by_number) = (vec![0.0; PUBLISHED_WEIGHTS], vec![0.0; dim * PUBLISHED_WEIGHTS]);
             inference.linearize(&code, &mut weights, &mut by_number);
-            let var = Var::from_tensor(&Tensor::from_slice(&code, (1, DIM), &Device::Cpu)?)?;
+            let var = Var::from_tensor(&Tensor::from_slice(&code, (1, dim), &Device::Cpu)?)?;
             let decoded = model.decode(var.as_tensor())?;
             assert_close(&weights, &decoded);
             for which in [0, 300, 640, PUBLISHED_WEIGHTS - 1] {

@@ -9,8 +9,7 @@ use rayon::prelude::*;
 
 use crate::Autoencoder;
 use crate::checkpoint::{Checkpoint, CheckpointError, invalid};
-use crate::model::znbrdf::{CHANNEL, SHARED};
-use crate::model::{CHANNEL_ORDERS, DIM};
+use crate::model::{CHANNEL_ORDERS, CodeLayout};
 
 /// The tensor's name in a checkpoint.
 const NAME: &str = "known";
@@ -27,25 +26,27 @@ pub(crate) struct Known {
 impl Known {
     /// From the tensors of a checkpoint.
     pub fn new(file: &Checkpoint) -> Result<Self, CheckpointError> {
+        let layout = CodeLayout::of(file)?;
+        let dim = layout.dim();
         let Some((shape, values)) = file.tensors.get(NAME) else {
             return Err(invalid(&file.path, format!("tensor '{NAME}'"), "none of that name".into()));
         };
-        if shape.len() != 2 || shape[0] < 2 || shape[1] != DIM {
+        if shape.len() != 2 || shape[0] < 2 || shape[1] != dim {
             return Err(invalid(
                 &file.path,
-                format!("tensor '{NAME}' of shape [2 or more, {DIM}]"),
+                format!("tensor '{NAME}' of shape [2 or more, {dim}]"),
                 format!("{shape:?}"),
             ));
         }
-        let own = values.chunks_exact(DIM);
+        let own = values.chunks_exact(dim);
         let codes: Vec<Vec<f32>> =
-            own.clone().flat_map(|code| CHANNEL_ORDERS.map(|order| reordered(code, order))).collect();
+            own.clone().flat_map(|code| CHANNEL_ORDERS.map(|order| reordered(layout, code, order))).collect();
         let deviation = |number: usize| {
             let values = || codes.iter().map(|code| f64::from(code[number]));
             let mean = values().sum::<f64>() / codes.len() as f64;
             (values().map(|v| (v - mean) * (v - mean)).sum::<f64>() / codes.len() as f64).sqrt().max(1e-6)
         };
-        let spread = (0..DIM).map(deviation).collect();
+        let spread = (0..dim).map(deviation).collect();
         let mut known = Self { codes, spread, unit: 1.0 };
         let mut nearest: Vec<f64> = own.enumerate().map(|(i, code)| known.nearest(code, Some(i))).collect();
         nearest.sort_by(f64::total_cmp);
@@ -53,7 +54,7 @@ impl Known {
         Ok(known)
     }
 
-    /// Distance of a code \[32\] to the nearest known one; 1 is the median distance between neighbours among these.
+    /// Distance of a code \[dim\] to the nearest known one; 1 is the median distance between neighbours among these.
     pub fn distance(&self, code: &[f32]) -> f64 {
         self.nearest(code, None) / self.unit
     }
@@ -66,16 +67,16 @@ impl Known {
     fn nearest(&self, code: &[f32], but: Option<usize>) -> f64 {
         let distance = |known: &Vec<f32>| {
             let term = |((a, b), spread): ((&f32, &f32), &f64)| (f64::from(a - b) / spread).powi(2);
-            (code.iter().zip(known).zip(&self.spread).map(term).sum::<f64>() / DIM as f64).sqrt()
+            (code.iter().zip(known).zip(&self.spread).map(term).sum::<f64>() / code.len() as f64).sqrt()
         };
         let others = self.codes.iter().enumerate().filter(|(i, _)| Some(i / CHANNEL_ORDERS.len()) != but);
         others.map(|(_, known)| distance(known)).fold(f64::INFINITY, f64::min)
     }
 }
 
-fn reordered(code: &[f32], order: [usize; 3]) -> Vec<f32> {
-    let channel = |c: usize| &code[SHARED + CHANNEL * c..SHARED + CHANNEL * (c + 1)];
-    code[..SHARED].iter().chain(order.into_iter().flat_map(channel)).copied().collect()
+fn reordered(CodeLayout { shared, channel }: CodeLayout, code: &[f32], order: [usize; 3]) -> Vec<f32> {
+    let channel = |c: usize| &code[shared + channel * c..shared + channel * (c + 1)];
+    code[..shared].iter().chain(order.into_iter().flat_map(channel)).copied().collect()
 }
 
 /// The codes of training materials as encoding makes them, unrolled steps included.
@@ -89,7 +90,8 @@ pub(crate) fn codes(autoencoder: &Autoencoder, materials: &[Material]) -> Result
 
 /// Such codes, for the checkpoint.
 pub(crate) fn tensor(codes: &[Vec<f32>]) -> candle_core::Result<(String, Tensor)> {
-    Ok((NAME.into(), Tensor::from_vec(codes.concat(), (codes.len(), DIM), &Device::Cpu)?))
+    let dim = codes.first().map_or(0, Vec::len);
+    Ok((NAME.into(), Tensor::from_vec(codes.concat(), (codes.len(), dim), &Device::Cpu)?))
 }
 
 #[cfg(test)]
@@ -106,7 +108,7 @@ mod tests {
         let distance = |code: &Code| model.distance(code).unwrap().unwrap();
         let code = model.encode(&builtin::shared().get("gold-paint").unwrap().material()).unwrap();
         assert!(distance(&code) < 0.5, "{}", distance(&code));
-        let turned = Code { code: reordered(&code.code, [2, 0, 1]), ..code.clone() };
+        let turned = Code { code: reordered(CodeLayout::new(code.code.len()), &code.code, [2, 0, 1]), ..code.clone() };
         assert!((distance(&turned) - distance(&code)).abs() < 1e-6);
         let wild = Code { code: code.code.iter().map(|v| 4.0 * v).collect(), ..code.clone() };
         assert!(distance(&wild) > 2.0, "{}", distance(&wild));

@@ -20,6 +20,7 @@ mod train;
 
 pub use autoencoder::{Architecture, Autoencoder};
 pub use checkpoint::CheckpointError;
+pub use model::{DIM, MAX_DIM};
 pub use train::{Progress, TrainError, TrainOptions, Trainer, TrainingData, Walk, state_of, train};
 
 /// A lock that outlives a panic elsewhere: what it guards is overwritten before it is read.

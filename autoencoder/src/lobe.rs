@@ -1,4 +1,4 @@
-//! From the 32 numbers of a code to the two of a lobe to sample from: 32 → 8 → 2.
+//! From the numbers of a code to the two of a lobe to sample from: 32 → 8 → 2 where codes have 32.
 //!
 //! Sztrajman et al. (2021), section on importance sampling. Differs from the paper: the lobe is GGX's visible normals over
 //! a cosine base, and the network learns where the variance is least ([`Valley`]), not the parameters of a fit.
@@ -15,18 +15,21 @@ use crate::Autoencoder;
 use crate::activation::Activation;
 use crate::checkpoint::{Checkpoint, CheckpointError};
 use crate::inference::Chain;
-use crate::model::{DIM, add_chain, chain};
+use crate::model::{add_chain, chain};
 use crate::optimizer::AdamW;
 use crate::parameters::Parameters;
 
-/// Widths of the layers.
-const WIDTHS: [usize; 3] = [DIM, 8, 2];
 /// Mixes of two training codes that are learned from beside the training materials.
 const MIXES: usize = 400;
 const STEPS: usize = 3000;
 const RATE: f32 = 1e-2;
 /// Cost beyond which a miss counts linearly: one material that no lobe serves does not decide for all.
 const LARGE: f64 = 0.5;
+
+/// Widths of the layers.
+const fn widths(dim: usize) -> [usize; 3] {
+    [dim, 8, 2]
+}
 
 /// The small network.
 pub(crate) struct LobeNetwork {
@@ -37,16 +40,16 @@ pub(crate) struct LobeNetwork {
 }
 
 impl LobeNetwork {
-    /// From the tensors of a checkpoint.
-    pub fn new(file: &Checkpoint) -> Result<Self, CheckpointError> {
+    /// From the tensors of a checkpoint whose codes have `dim` numbers.
+    pub fn new(file: &Checkpoint, dim: usize) -> Result<Self, CheckpointError> {
         Ok(Self {
-            layers: Chain::new(file, "lobe", &WIDTHS, Activation::Silu)?,
-            mean: file.tensor("lobe.mean", &[DIM])?.to_vec(),
-            spread: file.tensor("lobe.spread", &[DIM])?.to_vec(),
+            layers: Chain::new(file, "lobe", &widths(dim), Activation::Silu)?,
+            mean: file.tensor("lobe.mean", &[dim])?.to_vec(),
+            spread: file.tensor("lobe.spread", &[dim])?.to_vec(),
         })
     }
 
-    /// The lobe of a code \[32\].
+    /// The lobe of a code \[dim\].
     pub fn predict(&self, code: &[f32]) -> Lobe {
         let standard = standardized(code, &self.mean, &self.spread);
         let mut out = [0.0; 2];
@@ -71,7 +74,8 @@ pub(crate) fn learn(
     if examples.is_empty() {
         candle_core::bail!("no material to learn lobes from");
     }
-    let (mean, spread) = moments(&examples);
+    let dim = autoencoder.dim();
+    let (mean, spread) = moments(&examples, dim);
     let input: Vec<f32> = examples.iter().flat_map(|(code, _)| standardized(code, &mean, &spread)).collect();
     let column = |value: &dyn Fn(&Valley) -> f64| {
         let values: Vec<f32> = examples.iter().map(|(_, valley)| value(valley) as f32).collect();
@@ -79,9 +83,9 @@ pub(crate) fn learn(
     };
     let lowest = [column(&|v| v.lowest[0])?, column(&|v| v.lowest[1])?];
     let curvature = [column(&|v| v.curvature[0])?, column(&|v| v.curvature[1])?, column(&|v| v.curvature[2])?];
-    let input = Tensor::from_vec(input, (examples.len(), DIM), &Device::Cpu)?;
+    let input = Tensor::from_vec(input, (examples.len(), dim), &Device::Cpu)?;
     let mut parameters = Parameters::new();
-    add_chain(&mut parameters, "lobe", &WIDTHS, 1.0, &mut generator(seed, 20))?;
+    add_chain(&mut parameters, "lobe", &widths(dim), 1.0, &mut generator(seed, 20))?;
     let mut optimizer = AdamW::new(&parameters);
     for step in 0..STEPS {
         let found = chain(&parameters, "lobe", 2, &input, Activation::Silu, None)?;
@@ -96,8 +100,8 @@ pub(crate) fn learn(
     }
     let mut tensors: Vec<(String, Tensor)> =
         parameters.iter().map(|own| (own.name.clone(), own.var.as_tensor().clone())).collect();
-    tensors.push(("lobe.mean".to_owned(), Tensor::from_vec(mean, DIM, &Device::Cpu)?));
-    tensors.push(("lobe.spread".to_owned(), Tensor::from_vec(spread, DIM, &Device::Cpu)?));
+    tensors.push(("lobe.mean".to_owned(), Tensor::from_vec(mean, dim, &Device::Cpu)?));
+    tensors.push(("lobe.spread".to_owned(), Tensor::from_vec(spread, dim, &Device::Cpu)?));
     Ok(tensors)
 }
 
@@ -118,11 +122,11 @@ fn examples(autoencoder: &Autoencoder, codes: Vec<Vec<f32>>, seed: u64) -> Vec<(
 }
 
 /// Mean and spread of every number, the spread never quite zero.
-fn moments(examples: &[(Vec<f32>, Valley)]) -> (Vec<f32>, Vec<f32>) {
+fn moments(examples: &[(Vec<f32>, Valley)], dim: usize) -> (Vec<f32>, Vec<f32>) {
     let count = examples.len() as f64;
     let numbers = |i: usize| examples.iter().map(move |(code, _)| f64::from(code[i]));
-    let mean: Vec<f64> = (0..DIM).map(|i| numbers(i).sum::<f64>() / count).collect();
-    let spread = (0..DIM).map(|i| (numbers(i).map(|v| (v - mean[i]).powi(2)).sum::<f64>() / count).sqrt().max(1e-3));
+    let mean: Vec<f64> = (0..dim).map(|i| numbers(i).sum::<f64>() / count).collect();
+    let spread = (0..dim).map(|i| (numbers(i).map(|v| (v - mean[i]).powi(2)).sum::<f64>() / count).sqrt().max(1e-3));
     let spread = spread.map(|v| v as f32).collect();
     (mean.into_iter().map(|v| v as f32).collect(), spread)
 }

@@ -1,8 +1,10 @@
 //! The two autoencoders: what they read, how long their codes are, and how they turn one into the other.
 
+mod code_layout;
 pub(crate) mod published;
 pub(crate) mod znbrdf;
 
+pub(crate) use code_layout::CodeLayout;
 pub(crate) use published::PublishedModel;
 pub(crate) use znbrdf::{FEATURES, ZnbrdfModel};
 
@@ -11,8 +13,10 @@ use candle_core::{Result, Tensor};
 use crate::activation::Activation;
 use crate::parameters::Parameters;
 
-/// Numbers in a code.
+/// Numbers in a code, unless asked otherwise.
 pub const DIM: usize = 32;
+/// Numbers in the longest code.
+pub const MAX_DIM: usize = 128;
 /// All orders of the colour channels.
 pub(crate) const CHANNEL_ORDERS: [[usize; 3]; 6] = [[0, 1, 2], [0, 2, 1], [1, 0, 2], [1, 2, 0], [2, 0, 1], [2, 1, 0]];
 
@@ -22,9 +26,9 @@ pub(crate) trait Model {
     fn parameters(&self) -> &Parameters;
     /// Constants that belong to the checkpoint.
     fn constants(&self) -> Vec<(&'static str, &Tensor)>;
-    /// Codes \[rows, 32\] of inputs.
+    /// Codes \[rows, dim\] of inputs.
     fn encode(&self, input: &Tensor) -> Result<Tensor>;
-    /// Weights \[rows, 675\] of codes \[rows, 32\].
+    /// Weights \[rows, 675\] of codes \[rows, dim\].
     fn decode(&self, code: &Tensor) -> Result<Tensor>;
 }
 

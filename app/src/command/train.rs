@@ -4,7 +4,7 @@ use std::ops::ControlFlow;
 use std::path::PathBuf;
 
 use anyhow::Result;
-use autoencoder::{Architecture, Autoencoder, Progress, TrainOptions, TrainingData, train};
+use autoencoder::{Architecture, Autoencoder, DIM, MAX_DIM, Progress, TrainOptions, TrainingData, train};
 use clap::{Args, ValueEnum};
 use nbrdf_core::library::builtin;
 use nbrdf_core::metric::log_error;
@@ -38,9 +38,9 @@ pub struct Train {
     /// Gradient steps; 48000 for znbrdf, 8000 for the published one.
     #[arg(long, value_parser = clap::value_parser!(u32).range(1..))]
     steps: Option<u32>,
-    /// Numbers in a code: this version trains codes of 32.
-    #[arg(long, default_value_t = 32, value_parser = clap::value_parser!(u32).range(32..=32))]
-    dim: u32,
+    /// Numbers in a code, 1 to 128; fewer than 4 carry no colour, and the published architecture has 32.
+    #[arg(long, default_value_t = DIM as u16, value_parser = clap::value_parser!(u16).range(1..=MAX_DIM as i64))]
+    dim: u16,
     /// Go on from the saved state of an interrupted training.
     #[arg(long)]
     resume: bool,
@@ -113,6 +113,12 @@ impl Train {
         };
         let mut options = TrainOptions { seed: global.seed(), ..TrainOptions::new(architecture) };
         options.steps = self.steps.map_or(options.steps, |steps| steps as usize);
+        options.dim = self.dim.into();
+        if options.architecture == Architecture::Published && options.dim != DIM {
+            return Err(
+                Failure::Usage(format!("the published architecture has codes of {DIM}: leave out --dim")).into()
+            );
+        }
         options.analytic_share = self.analytic.unwrap_or(options.analytic_share);
         if !(0.0..=1.0).contains(&options.analytic_share) {
             return Err(Failure::Usage("--analytic is a share between 0 and 1".into()).into());

@@ -6,8 +6,6 @@ use nbrdf_core::representation::DecodeError;
 use nbrdf_core::{Brdf, Code, Material};
 use serde::Serialize;
 
-use crate::catalog::DIM;
-
 /// Expected `log_error` beyond which a code does not carry its material, whatever made it: nearly twice the largest error
 /// among the validation materials with ZNBRDF.
 const CARRIED: f64 = 0.015;
@@ -20,13 +18,16 @@ pub struct Trust {
     /// Distance to the nearest training material's code; 1 is how far these are from each other. None where nothing is
     /// remembered of training.
     pub distance: Option<f64>,
+    /// Numbers in the code.
+    #[serde(skip)]
+    pub numbers: usize,
 }
 
 impl Trust {
     /// Of the code of `material` and what it decodes to.
     pub fn of(material: &Material, code: &Code, decoded: &dyn Brdf, known: &Autoencoder) -> Result<Self, DecodeError> {
         let expected_log_error = log_error_estimate(material.brdf.as_ref(), decoded);
-        Ok(Self { expected_log_error, distance: known.distance(code)? })
+        Ok(Self { expected_log_error, distance: known.distance(code)?, numbers: code.code.len() })
     }
 
     /// What to tell of a material that the code does not carry; `can_refine` if a closer code of the same representation
@@ -38,9 +39,9 @@ impl Trust {
         }
         let or_refine = if can_refine { ", or try --refine" } else { "" };
         Some(format!(
-            "{material}: {DIM} numbers do not carry this material: expected log_error {:.3}, and materials like those of \
+            "{material}: {} numbers do not carry this material: expected log_error {:.3}, and materials like those of \
              training stay below {CARRIED}: keep the network{or_refine}",
-            self.expected_log_error
+            self.numbers, self.expected_log_error
         ))
     }
 }
@@ -51,7 +52,7 @@ mod tests {
 
     #[test]
     fn refining_is_advised_only_where_it_is_still_to_be_had() {
-        let of = |expected_log_error| Trust { expected_log_error, distance: None };
+        let of = |expected_log_error| Trust { expected_log_error, distance: None, numbers: 32 };
         assert_eq!(of(CARRIED).advice("m", true), None);
         for unsure in [1.0, f64::NAN] {
             assert!(of(unsure).advice("m", true).is_some_and(|advice| advice.contains("--refine")));

@@ -32,6 +32,10 @@ impl PublishedInference {
 }
 
 impl Inference for PublishedInference {
+    fn dim(&self) -> usize {
+        DIM
+    }
+
     fn encode(&self, input: &[f32], code: &mut [f32]) {
         let standard: Vec<f32> =
             input.iter().zip(self.units()).map(|(w, (mean, spread))| (w - mean) / spread).collect();

@@ -5,12 +5,15 @@ use std::sync::Arc;
 use nbrdf_core::{Brdf, Material, Nbrdf};
 
 use crate::Architecture;
+use crate::model::DIM;
 
 /// How to train.
 #[derive(Clone, Debug, PartialEq, serde::Serialize, serde::Deserialize)]
 pub struct TrainOptions {
     /// Which autoencoder.
     pub architecture: Architecture,
+    /// Numbers in a code; the published architecture has 32.
+    pub dim: usize,
     /// Gradient steps.
     pub steps: usize,
     /// Largest learning rate.
@@ -28,7 +31,7 @@ impl TrainOptions {
             Architecture::Znbrdf => (48_000, 1.5e-3),
             Architecture::Published => (8_000, 1e-3),
         };
-        Self { architecture, steps, rate, seed: 0, analytic_share: 0.08 }
+        Self { architecture, dim: DIM, steps, rate, seed: 0, analytic_share: 0.08 }
     }
 }
 

@@ -10,7 +10,7 @@ use super::{TrainError, TrainOptions, TrainingData};
 use crate::Architecture;
 use crate::dataset::{BATCH, Batches, Pool, Spheres};
 use crate::loss::decoded_loss;
-use crate::model::{FEATURES, Model, PublishedModel, ZnbrdfModel};
+use crate::model::{CodeLayout, FEATURES, Model, PublishedModel, ZnbrdfModel};
 use crate::optimizer::AdamW;
 
 /// Steps during which the learning rate rises.
@@ -40,7 +40,7 @@ impl Trainer {
         let (model, batches, objective): (Box<dyn Model>, Box<dyn Batches>, Objective) = match options.architecture {
             Architecture::Znbrdf => {
                 let start = data.start.map_or(mean.as_slice(), Nbrdf::weights);
-                let model = ZnbrdfModel::new(start, &spread(&networks, start), rng)?;
+                let model = ZnbrdfModel::new(CodeLayout::new(options.dim), start, &spread(&networks, start), rng)?;
                 let pool = Pool::new(data, options.analytic_share, options.seed);
                 (Box::new(model), Box::new(pool), Objective::TRAIN)
             }

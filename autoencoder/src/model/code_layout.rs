@@ -1,0 +1,76 @@
+//! How the numbers of a ZNBRDF code are shared out between what all colour channels have in common and what each has of
+//! its own.
+
+use super::{DIM, MAX_DIM};
+use crate::checkpoint::{Checkpoint, CheckpointError, invalid};
+
+/// `shared` numbers, then `channel` for each of the three channels.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct CodeLayout {
+    /// Numbers that all channels share.
+    pub shared: usize,
+    /// Numbers for each channel.
+    pub channel: usize,
+}
+
+impl CodeLayout {
+    /// An eighth for each channel and one at least: 32 = 20 + 3 · 4, 8 = 5 + 3 · 1. Fewer than 4 numbers cannot tell the
+    /// channels apart: such codes are grey.
+    pub const fn new(dim: usize) -> Self {
+        let channel = match dim {
+            0..4 => 0,
+            4..16 => 1,
+            _ => dim / 8,
+        };
+        Self { shared: dim - 3 * channel, channel }
+    }
+
+    /// As the tensors of a checkpoint say.
+    pub fn of(file: &Checkpoint) -> Result<Self, CheckpointError> {
+        let rows = |name: &str| file.tensors.get(name).and_then(|(shape, _)| shape.first().copied());
+        let found = Self {
+            shared: rows("encoder.shared.weight").unwrap_or(0),
+            channel: rows("encoder.channel.weight").unwrap_or(0),
+        };
+        let dim = found.channel.saturating_mul(3).saturating_add(found.shared);
+        if !(1..=MAX_DIM).contains(&dim) || found != Self::new(dim) {
+            let expected = format!("the encoder of a code of 1 to {MAX_DIM} numbers, {DIM} by default");
+            return Err(invalid(
+                &file.path,
+                expected,
+                format!("{} shared and 3 times {} numbers", found.shared, found.channel),
+            ));
+        }
+        Ok(found)
+    }
+
+    /// Numbers in a code.
+    pub const fn dim(self) -> usize {
+        self.shared + 3 * self.channel
+    }
+
+    /// What every column of the decoded output layer knows: the shared numbers, and the mean of the channels'.
+    pub const fn common(self) -> usize {
+        self.shared + self.channel
+    }
+
+    /// What one column knows: that, and its channel's own.
+    pub const fn own(self) -> usize {
+        self.common() + self.channel
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_length_is_shared_out_whole() {
+        for dim in 1..=MAX_DIM {
+            assert_eq!(CodeLayout::new(dim).dim(), dim);
+        }
+        assert_eq!(CodeLayout::new(32), CodeLayout { shared: 20, channel: 4 });
+        assert_eq!(CodeLayout::new(4), CodeLayout { shared: 1, channel: 1 });
+        assert_eq!(CodeLayout::new(2), CodeLayout { shared: 2, channel: 0 });
+    }
+}
