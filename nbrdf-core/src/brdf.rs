@@ -1,12 +1,17 @@
 //! What a material is to everything else: a function from a pair of directions to a reflectance.
 
+pub mod abc;
+pub mod free_fresnel;
 pub mod ggx;
 pub mod lambert;
 pub mod lobed;
 pub mod microfacet;
 pub(crate) mod pairs;
 mod prepared;
+pub mod sgd;
 pub mod table;
+mod vectors;
+pub mod ward;
 
 pub use prepared::Prepared;
 

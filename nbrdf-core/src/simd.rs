@@ -11,11 +11,10 @@ mod logarithm;
 use pulp::{Simd, WithSimd};
 
 pub(crate) use arctangent::angle;
-use exponential::exp;
-pub(crate) use exponential::exp_minus_one;
+pub(crate) use exponential::{exp, exp_minus_one};
 pub use instruction_set::InstructionSet;
 pub(crate) use lanes::{LANES, Lanes};
-use logarithm::ln;
+pub(crate) use logarithm::ln;
 
 /// ln of every number, in place; numbers below 10⁻³⁷ count as that.
 pub fn logarithms(values: &mut [f32]) {

@@ -5,11 +5,10 @@
 
 use std::f32::consts::FRAC_1_PI;
 
-use pulp::{Simd, WithSimd};
+use pulp::Simd;
 
 use super::microfacet::{base_and_lobe, ggx_distribution};
-use super::pairs::{Pairs, where_above};
-use crate::simd::{InstructionSet, LANES, Lanes};
+use super::vectors::{self, Formula};
 use crate::{Brdf, Directions, Rgb};
 
 /// Smaller α is taken as this: the peak of D, 1/(πα²), stays far from overflow.
@@ -36,73 +35,62 @@ impl Brdf for Ggx {
     }
 
     fn eval_into(&self, at: &[Directions], out: &mut [Rgb]) {
-        assert_eq!(at.len(), out.len(), "one output per pair of directions");
-        InstructionSet::fastest().run(Evaluate { ggx: self, at, out });
+        vectors::evaluate(self, at, out);
     }
 }
 
-/// The same formula for whole blocks.
-struct Evaluate<'a> {
-    ggx: &'a Ggx,
-    at: &'a [Directions],
-    out: &'a mut [Rgb],
-}
-
-impl WithSimd for Evaluate<'_> {
-    type Output = ();
-
-    #[inline(always)]
-    fn with_simd<S: Simd>(self, simd: S) {
-        for (at, out) in self.at.chunks(LANES).zip(self.out.chunks_mut(LANES)) {
-            let pairs = Pairs::load(at);
-            let mut values = [Lanes::ZERO; 3];
-            for i in 0..LANES / S::F32_LANES {
-                let [light, view] = pairs.vectors::<S>(i);
-                let found = self.ggx.vector(simd, light, view);
-                for (lanes, value) in values.iter_mut().zip(found) {
-                    lanes.vectors_mut::<S>()[i] = where_above(simd, light[2], view[2], value);
-                }
-            }
-            for (lane, out) in out.iter_mut().enumerate() {
-                *out = Rgb([values[0].0[lane], values[1].0[lane], values[2].0[lane]]);
-            }
-        }
-    }
-}
-
-impl Ggx {
+/// The same formula for whole vectors.
+impl Formula for Ggx {
     #[inline(always)]
     fn vector<S: Simd>(&self, simd: S, light: [S::f32s; 3], view: [S::f32s; 3]) -> [S::f32s; 3] {
         let constant = |v: f32| simd.splat_f32s(v);
-        let [one, largest] = [1.0, f32::MAX].map(constant);
-        let alpha = self.alpha.max(SMOOTHEST);
-        let a2 = alpha * alpha;
-        let [sx, sy, sz] = [0, 1, 2].map(|axis| simd.add_f32s(light[axis], view[axis]));
-        let across = simd.mul_add_e_f32s(sx, sx, simd.mul_f32s(sy, sy));
-        let up = simd.mul_f32s(sz, sz);
-        let length2 = simd.add_f32s(across, up);
-        // |s|² times what D calls spread
-        let spread = simd.mul_add_e_f32s(constant(a2), up, across);
-        let relative = simd.div_f32s(length2, spread);
-        let density = simd.mul_f32s(constant(a2 * FRAC_1_PI), simd.mul_f32s(relative, relative));
-        let side =
-            simd.sqrt_f32s(simd.mul_add_e_f32s(constant(1.0 - a2), simd.mul_f32s(light[2], light[2]), constant(a2)));
-        let other =
-            simd.sqrt_f32s(simd.mul_add_e_f32s(constant(1.0 - a2), simd.mul_f32s(view[2], view[2]), constant(a2)));
-        let sides = simd.mul_add_e_f32s(view[2], side, simd.mul_f32s(light[2], other));
-        let lobe = simd.mul_f32s(density, simd.div_f32s(constant(0.5), sides));
-        let dot = simd.mul_add_e_f32s(light[2], sz, simd.mul_add_e_f32s(light[0], sx, simd.mul_f32s(light[1], sy)));
-        let grazing = simd.sub_f32s(one, simd.div_f32s(dot, simd.sqrt_f32s(length2)));
-        let grazing = simd.max_f32s(simd.min_f32s(grazing, one), constant(0.0));
-        let square = simd.mul_f32s(grazing, grazing);
-        let fifth = simd.mul_f32s(simd.mul_f32s(square, square), grazing);
+        let [lobe, fifth] = lobe_and_fifth(simd, self.alpha, light, view);
         [0, 1, 2].map(|channel| {
             let f0 = self.f0[channel];
             let fresnel = simd.mul_add_e_f32s(constant(1.0 - f0), fifth, constant(f0));
             let base = constant(self.diffuse[channel] * FRAC_1_PI);
-            simd.min_f32s(simd.mul_add_e_f32s(lobe, fresnel, base), largest)
+            simd.min_f32s(simd.mul_add_e_f32s(lobe, fresnel, base), constant(f32::MAX))
         })
     }
+}
+
+/// D G / (4 cos θ_i cos θ_o), and (1 − cos θ_diff)⁵.
+#[inline(always)]
+pub(super) fn lobe_and_fifth<S: Simd>(simd: S, alpha: f32, light: [S::f32s; 3], view: [S::f32s; 3]) -> [S::f32s; 2] {
+    let constant = |v: f32| simd.splat_f32s(v);
+    let alpha = alpha.max(SMOOTHEST);
+    let a2 = alpha * alpha;
+    let [sx, sy, sz] = [0, 1, 2].map(|axis| simd.add_f32s(light[axis], view[axis]));
+    let across = simd.mul_add_e_f32s(sx, sx, simd.mul_f32s(sy, sy));
+    let up = simd.mul_f32s(sz, sz);
+    let length2 = simd.add_f32s(across, up);
+    // |s|² times what D calls spread
+    let spread = simd.mul_add_e_f32s(constant(a2), up, across);
+    let relative = simd.div_f32s(length2, spread);
+    let density = simd.mul_f32s(constant(a2 * FRAC_1_PI), simd.mul_f32s(relative, relative));
+    let lobe = simd.mul_f32s(density, visibility(simd, a2, light[2], view[2]));
+    let dot = simd.mul_add_e_f32s(light[2], sz, simd.mul_add_e_f32s(light[0], sx, simd.mul_f32s(light[1], sy)));
+    let cos_diff = simd.div_f32s(dot, simd.sqrt_f32s(length2));
+    [lobe, schlick_fifth(simd, cos_diff)]
+}
+
+/// G / (4 cos θ_i cos θ_o) for α²; see [`ggx_visibility`](super::microfacet::ggx_visibility).
+#[inline(always)]
+pub(super) fn visibility<S: Simd>(simd: S, a2: f32, cos_i: S::f32s, cos_o: S::f32s) -> S::f32s {
+    let constant = |v: f32| simd.splat_f32s(v);
+    let side = simd.sqrt_f32s(simd.mul_add_e_f32s(constant(1.0 - a2), simd.mul_f32s(cos_i, cos_i), constant(a2)));
+    let other = simd.sqrt_f32s(simd.mul_add_e_f32s(constant(1.0 - a2), simd.mul_f32s(cos_o, cos_o), constant(a2)));
+    let sides = simd.mul_add_e_f32s(cos_o, side, simd.mul_f32s(cos_i, other));
+    simd.div_f32s(constant(0.5), sides)
+}
+
+/// (1 − cos θ_diff)⁵.
+#[inline(always)]
+pub(super) fn schlick_fifth<S: Simd>(simd: S, cos_diff: S::f32s) -> S::f32s {
+    let [zero, one] = [0.0, 1.0].map(|v| simd.splat_f32s(v));
+    let grazing = simd.max_f32s(simd.min_f32s(simd.sub_f32s(one, cos_diff), one), zero);
+    let square = simd.mul_f32s(grazing, grazing);
+    simd.mul_f32s(simd.mul_f32s(square, square), grazing)
 }
 
 #[cfg(test)]

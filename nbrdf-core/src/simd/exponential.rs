@@ -37,7 +37,7 @@ pub(crate) fn exp_minus_one<S: Simd>(simd: S, y: S::f32s) -> S::f32s {
 
 /// `exp(y)` within 2 ulp; y is taken into −80..80 first.
 #[inline(always)]
-pub(super) fn exp<S: Simd>(simd: S, y: S::f32s) -> S::f32s {
+pub(crate) fn exp<S: Simd>(simd: S, y: S::f32s) -> S::f32s {
     let (power, p) = parts(simd, y);
     simd.mul_add_e_f32s(power, p, power)
 }
