@@ -20,6 +20,9 @@ use nbrdf_core::path::geodesic::Geodesic;
 use nbrdf_core::path::mix::Mix;
 use nbrdf_core::path::nearest_end::NearestEnd;
 use nbrdf_core::path::weight_path::WeightInterpolation;
+use nbrdf_core::representation::analytic::{
+    AbcLobe, Analytic, BlinnPhongLobe, GgxLobe, LambertAlone, Parametric, SgdLobes, WardLobe,
+};
 use nbrdf_core::representation::network::Network;
 use nbrdf_core::representation::refined::Refined;
 use nbrdf_core::{Interpolation, Representation};
@@ -158,12 +161,28 @@ pub const REPRESENTATIONS: &[RepresentationEntry] = &[
         about: "a 6-32-32-3 network of its own",
         build: |_| Ok(Arc::new(Network::new("nbrdf_32", [32, 32], Precision::Single))),
     },
+    fitted::<LambertAlone>("a diffuse base alone: 3 numbers"),
+    fitted::<BlinnPhongLobe>("a base under a Blinn-Phong lobe, Fresnel free: 10 numbers"),
+    fitted::<WardLobe>("a base under Ward's lobe of bounded albedo: 7 numbers"),
+    fitted::<GgxLobe>("a base under a GGX lobe, Fresnel free: 10 numbers"),
+    fitted::<AbcLobe>("a base under an ABC lobe: 9 numbers"),
+    fitted::<SgdLobes>("the shifted gamma distribution, every channel on its own: 30 numbers"),
 ];
 
 /// Networks of the published widths, fitted from the shared start.
 fn own_network(name: &'static str, precision: Precision) -> Shared {
     let inner = Network::new(name, PUBLISHED_HIDDEN, precision);
     Arc::new(WithNetwork { inner, source: shared_start_network })
+}
+
+/// A formula, fitted.
+const fn fitted<P: Parametric>(about: &'static str) -> RepresentationEntry {
+    RepresentationEntry {
+        name: P::NAME,
+        variant: Variant::Fitted,
+        about,
+        build: |_| Ok(Arc::new(Analytic::<P>::new())),
+    }
 }
 
 /// Every interpolation, in the order of reports.

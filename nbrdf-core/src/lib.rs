@@ -46,6 +46,7 @@ pub mod merl;
 pub mod metric;
 pub mod nbrdf;
 pub mod path;
+pub mod published_fits;
 pub mod quality;
 pub mod render;
 pub mod representation;

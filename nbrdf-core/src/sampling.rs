@@ -45,9 +45,13 @@ fn rus32k_candidate(k: u32) -> Option<Directions> {
 
 /// Pairs of the sequence of [`rus32k`], begun elsewhere: none of them is one of the metrics'.
 pub(crate) fn even_directions() -> impl Iterator<Item = Directions> {
+    even_shares().map(half_difference).filter(|at| at.is_above())
+}
+
+/// The same as shares of the ranges of θ_half, θ_diff, φ_diff, those below the horizon too.
+pub(crate) fn even_shares() -> impl Iterator<Item = [f32; 3]> {
     let place = |k: u32, power: f64| (0.25 + f64::from(k) / power).fract() as f32;
-    let points = (0..).map(move |k| [G, G * G, G * G * G].map(|power| place(k, power)));
-    points.map(half_difference).filter(|at| at.is_above())
+    (0..).map(move |k| [G, G * G, G * G * G].map(|power| place(k, power)))
 }
 
 /// The pair at these shares of the ranges of θ_half, θ_diff, φ_diff.

@@ -1,10 +1,10 @@
 //! A diffuse base under an ABC lobe: f = k_d/π + F D G / (π cos θ_i cos θ_o), D = A / (1 + B(1 − cos θ_half))^C.
 //!
 //! J. Löw, J. Kronander, A. Ynnerman, J. Unger, *BRDF Models for Accurate and Efficient Rendering of Glossy Surfaces*
-//! (2012, doi 10.1145/2077341.2077350), section 4, the microfacet form: the ABC function of light scattered by polished
+//! (2012, doi 10.1145/2077341.2077350), equation 15, the microfacet form: the ABC function of light scattered by polished
 //! surfaces as the distribution, the Fresnel reflectance of a dielectric without Schlick's approximation, and the
 //! shadowing of R. Cook, K. Torrance, *A Reflectance Model for Computer Graphics* (1982). D is not normalized: A, one for
-//! each channel, is the brightness.
+//! each channel, is the brightness. Differs: 1/π, which the equation leaves to A and the published parameters do not.
 
 use std::f32::consts::FRAC_1_PI;
 

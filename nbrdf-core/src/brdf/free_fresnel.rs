@@ -2,7 +2,7 @@
 //! f = k_d/π + D G F / (4 cos θ_i cos θ_o), F = F₀ + (F₉₀ − F₀)(1 − cos θ_diff)⁵.
 //!
 //! D and G as in [`microfacet`](super::microfacet). F is Schlick's (1994, eq. 15) with the reflectance at grazing angles in
-//! place of 1 (S. Lagarde, *Memo on Fresnel Equations*, 2013): what is fitted to measurements needs it, since these end
+//! place of 1 (S. Lagarde, C. de Rousiers, *Moving Frostbite to Physically Based Rendering*, 2014): what is fitted to measurements needs it, since these end
 //! below 90° and hold what no single lobe explains.
 
 use std::f32::consts::{FRAC_1_PI, PI};

@@ -1,7 +1,7 @@
 //! Shifted gamma distribution: f = (ρ_d + ρ_s κ F D G(θ_i) G(θ_o) / (cos θ_i cos θ_o)) / π, every channel on its own.
 //!
 //! M. Bagher, C. Soler, N. Holzschuch, *Accurate Fitting of Measured Reflectances using a Shifted Gamma Micro-facet
-//! Distribution* (2012, doi 10.1111/j.1467-8659.2012.03147.x), section 4:
+//! Distribution* (2012, doi 10.1111/j.1467-8659.2012.03147.x):
 //! D = exp(−a) / (π aᵖ cos⁴θ_half), a = α + tan²θ_half / α; F = F₀ − F₁ cos θ_diff + (1 − F₀)(1 − cos θ_diff)⁵;
 //! G(θ) = 1 + λ(1 − exp(c max(0, θ − θ₀)ᵏ)) between 0 and 1. F as published may be a little below 0, and so may f
 //! before it is clamped. Differs: ρ_s and κ, which occur as a product, are one number; c is held as the angle c^(−1/k), since

@@ -89,8 +89,8 @@ impl<S: Simd> Half<S> {
     }
 }
 
-/// ln(1 + t) for t ≥ 0, of small relative error also near 0 (W. Kahan; N. Higham, *Accuracy and Stability of Numerical
-/// Algorithms*, 2002, section 1.14.1).
+/// ln(1 + t) for t ≥ 0, of small relative error also near 0 (D. Goldberg, *What Every Computer Scientist Should Know
+/// About Floating-Point Arithmetic*, 1991, theorem 4).
 #[inline(always)]
 pub(super) fn ln_one_plus<S: Simd>(simd: S, t: S::f32s) -> S::f32s {
     let one = simd.splat_f32s(1.0);

@@ -1,0 +1,91 @@
+//! What a fit sees of a material.
+
+use std::sync::OnceLock;
+
+use crate::brdf::Prepared;
+use crate::sampling::{even_shares, half_difference};
+use crate::simd::logarithms;
+use crate::{Brdf, Directions, Rgb};
+
+/// Pairs of directions.
+const PAIRS: usize = 3072;
+
+/// Where reflectances are compared, the same for all materials.
+pub(super) struct Places {
+    /// Pairs above the surface.
+    pub at: Prepared,
+    /// cos θ_i.
+    pub cosines: Vec<f32>,
+    /// What each counts; they sum to 1.
+    pub weights: Vec<f32>,
+}
+
+/// θ_half is spaced as u², as MERL's cells are (W. Matusik et al. 2003, section 3), so that highlights narrower than a degree
+/// are seen; each pair counts as much as it stands for among even angles, so that the loss is the metric's.
+/// None of the pairs is one of the metric's.
+pub(super) fn places() -> &'static Places {
+    static PLACES: OnceLock<Places> = OnceLock::new();
+    PLACES.get_or_init(|| {
+        let spaced = even_shares().map(|[u, diff, around]| (half_difference([u * u, diff, around]), u));
+        let found: Vec<(Directions, f32)> = spaced.filter(|(at, _)| at.is_above()).take(PAIRS).collect();
+        let sum: f32 = found.iter().map(|(_, u)| u).sum();
+        Places {
+            cosines: found.iter().map(|(at, _)| at.light.z).collect(),
+            weights: found.iter().map(|(_, u)| u / sum).collect(),
+            at: Prepared::new(found.into_iter().map(|(at, _)| at).collect()),
+        }
+    })
+}
+
+/// A material at the [`places`].
+pub struct Target {
+    /// f_r \[1/sr\].
+    pub values: Vec<Rgb>,
+    /// ln(1 + f_r cos θ_i), channel by channel within each pair.
+    pub logs: Vec<f32>,
+}
+
+impl Target {
+    /// Looks at a material; none where it is not finite.
+    pub(super) fn of(brdf: &dyn Brdf) -> Option<Self> {
+        let mut values = vec![Rgb::BLACK; PAIRS];
+        brdf.eval_prepared(&places().at, &mut values);
+        values.iter().all(|f| f.is_finite()).then(|| Self { logs: logs(&values), values })
+    }
+
+    /// About the reflectance of the base: what a fifth of the pairs with tilted half vectors are below, per channel.
+    pub(super) fn base(&self) -> Rgb {
+        let tilted = places().at.directions().iter().map(|at| at.rusinkiewicz().theta_half > 0.5);
+        let seen: Vec<Rgb> = self.values.iter().zip(tilted).filter(|(_, tilted)| *tilted).map(|(f, _)| *f).collect();
+        Rgb([0, 1, 2].map(|channel| {
+            let mut values: Vec<f32> = seen.iter().map(|f| f[channel]).collect();
+            values.sort_by(f32::total_cmp);
+            values.get(values.len() / 5).copied().unwrap_or_default().max(0.0)
+        }))
+    }
+
+    /// How bright a lobe of this shape is that stands for what is above the base: least squares of f cos θ_i, per channel.
+    pub(super) fn brightness(&self, base: Rgb, shape: &dyn Brdf) -> Rgb {
+        let places = places();
+        let mut lobe = vec![Rgb::BLACK; PAIRS];
+        shape.eval_prepared(&places.at, &mut lobe);
+        Rgb([0, 1, 2].map(|channel| {
+            let (mut both, mut own) = (0.0, 0.0);
+            for (i, (f, lobe)) in self.values.iter().zip(&lobe).enumerate() {
+                let counts = f64::from(places.weights[i]) * f64::from(places.cosines[i]).powi(2);
+                let lobe = f64::from(lobe[channel]);
+                both += counts * lobe * f64::from((f[channel] - base[channel]).max(0.0));
+                own += counts * lobe * lobe;
+            }
+            if own > 0.0 { (both / own) as f32 } else { 0.0 }
+        }))
+    }
+}
+
+/// ln(1 + f cos θ_i), channel by channel within each pair.
+pub(super) fn logs(values: &[Rgb]) -> Vec<f32> {
+    let pairs = values.iter().zip(&places().cosines);
+    let mut logs: Vec<f32> = pairs.flat_map(|(f, cos)| f.map(|f| 1.0 + f.max(0.0) * cos).0).collect();
+    logarithms(&mut logs);
+    logs
+}
