@@ -1,10 +1,10 @@
 //! Formulas with parameters: a code is the parameters that fit a material best.
 //!
 //! The way materials were stored before tables and networks (A. Ngan, F. Durand, W. Matusik, *Experimental Analysis of
-//! BRDF Models*, 2005, doi 10.2312/EGWR/EGSR05/117-126). Differs: the loss is that of the networks they stand beside, mean |Δ ln(1 + f cos θ_i)|
-//! (A. Sztrajman et al., *Neural BRDF Representation and Importance Sampling*, 2021, section 3.1), so that neither side is
-//! judged by what the other was fitted for; and codes are unconstrained numbers, logarithms and logits of the
-//! parameters, so that any finite code is a reflectance.
+//! BRDF Models*, 2005, doi 10.2312/EGWR/EGSR05/117-126). Differs: the loss is that of the networks they stand beside,
+//! mean |Δ ln(1 + f cos θ_i)| (A. Sztrajman et al., *Neural BRDF Representation and Importance Sampling*, 2021, section 3.1),
+//! so that neither side is judged by what the other was fitted for; and codes are unconstrained numbers, logarithms and
+//! logits of the parameters, so that any finite code is a reflectance.
 
 mod abc;
 mod fit;
@@ -38,6 +38,9 @@ pub trait Parametric: Send + Sync + 'static {
     const DIM: usize;
 
     /// The reflectance of [`DIM`](Self::DIM) numbers; finite and not negative for any finite ones.
+    ///
+    /// # Panics
+    /// If there are fewer (a bug of the caller).
     fn reflectance(numbers: &[f32]) -> Box<dyn Brdf>;
 
     /// The numbers that fit best; the same for the same target.

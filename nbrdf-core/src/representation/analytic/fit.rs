@@ -25,7 +25,7 @@ pub(super) struct Problem<'a, F> {
 }
 
 impl<F: Fn(&[Vec<f32>]) -> Vec<Vec<f32>> + Sync> Problem<'_, F> {
-    /// The best numbers that are reached from these starts; the first start where there is nothing to choose.
+    /// The best numbers that are reached from these starts, of which there is at least one.
     pub fn solve(&self, starts: &[Vec<f32>]) -> Vec<f32> {
         let walk = |start: &Vec<f32>, steps| {
             let Ok(end) = minimize(self, start, Steps { steps, offset: OFFSET });
