@@ -1,6 +1,6 @@
 """Golden numbers for the tests of every other implementation, by NumPy in float64 (derivatives by JAX). Same inputs, same bytes.
 
-    python scripts/make_golden.py [forward] [coordinates] [merl] [sphere] [gradient] [judged] [lobes]      (default: all)
+    python scripts/make_golden.py [WHICH ...]      (default: all)
 
 `forward` needs the published networks (NBRDF_DATA); its file holds directions and results, never a published weight.
 """
@@ -169,6 +169,44 @@ def lobe_values() -> bytes:
     return _json("lobes", "f_r [1/sr], not clamped; float64", {"light": light.astype(np.float64), "view": view.astype(np.float64), "lobes": rows})
 
 
+def charting() -> bytes:
+    """The connection of eight local charts of a bent sheet, from the sum over pairs of charts itself (Brand 2002, equation 5)."""
+    random = np.random.default_rng(15)
+    points, charts, dim = 40, 8, 2
+    flat = random.uniform(-1, 1, (points, dim))
+    sheet = np.stack([flat[:, 0], flat[:, 1], 0.6 * flat[:, 0] ** 2 - 0.3 * flat[:, 0] * flat[:, 1]], axis=1)
+    centres = sheet[:charts]
+    axes = np.linalg.qr(random.normal(0, 0.2, (charts, 3, dim)) + np.eye(3)[:, :dim])[0]
+    local = _printed(np.einsum("knc,kca->kna", sheet - centres[:, None], axes))
+    density = np.exp(-((sheet[:, None] - centres) ** 2).sum(2) / 0.5)
+    weights = _printed(density / density.sum(axis=1, keepdims=True))
+    lifted = np.concatenate([local, np.ones((charts, points, 1))], axis=2)
+    size = charts * (dim + 1)
+    disagreement, agreement = np.zeros((size, size)), np.zeros((size, points))
+    for i in range(points):
+        for k in range(charts):
+            agreement[k * (dim + 1) : (k + 1) * (dim + 1), i] = weights[i, k] * lifted[k, i]
+            for j in range(k):
+                difference = np.zeros(size)
+                difference[k * (dim + 1) : (k + 1) * (dim + 1)] = lifted[k, i]
+                difference[j * (dim + 1) : (j + 1) * (dim + 1)] = -lifted[j, i]
+                disagreement += weights[i, k] * weights[i, j] * np.outer(difference, difference)
+    variance = agreement @ (np.eye(points) - 1 / points) @ agreement.T
+    total = disagreement + agreement @ agreement.T
+    shares, maps = np.linalg.eig(np.linalg.solve(total, variance))
+    best = np.argsort(-shares.real)[:dim]
+    coordinates = (maps.real[:, best].T @ agreement).T
+    coordinates *= np.sqrt(points) / np.linalg.norm(coordinates, axis=0)
+    coordinates *= np.sign(coordinates[np.abs(coordinates).argmax(axis=0), range(dim)])
+    about = "local coordinates [chart][point], weights [point][chart], share of variance agreed on, coordinates of unit variance whose largest number is positive"
+    return _json("charting", about, {"local": local, "weights": weights, "agreement": shares.real[best], "coordinates": coordinates})
+
+
+def _printed(values: np.ndarray) -> np.ndarray:
+    """Rounded to what is printed, so that whoever reads the file starts from the same numbers."""
+    return np.round(values, 9)
+
+
 def _parameters(material: Microfacet) -> dict[str, Any]:
     return {"diffuse": list(material.diffuse), "f0": material.f0 and list(material.f0), "alpha": material.alpha, "lobe": material.lobe}
 
@@ -197,6 +235,7 @@ FILES = {
     "gradient": ("gradient.safetensors", gradient),
     "judged": ("judged.json", metric_values),
     "lobes": ("lobes.json", lobe_values),
+    "charting": ("charting.json", charting),
 }
 
 
