@@ -167,6 +167,18 @@ pub const REPRESENTATIONS: &[RepresentationEntry] = &[
     fitted::<GgxLobe>("a base under a GGX lobe, Fresnel free: 10 numbers"),
     fitted::<AbcLobe>("a base under an ABC lobe: 9 numbers"),
     fitted::<SgdLobes>("the shifted gamma distribution, every channel on its own: 30 numbers"),
+    RepresentationEntry {
+        name: "charting_15",
+        variant: Variant::Projection,
+        about: "place on the manifold of log tables, 15 numbers (Brand 2002, Matusik et al. 2003)",
+        build: |catalog| Ok(catalog.charting_15()?),
+    },
+    RepresentationEntry {
+        name: "charting_2",
+        variant: Variant::Projection,
+        about: "place on the manifold of log tables, 2 numbers: a map",
+        build: |catalog| Ok(catalog.charting_2()?),
+    },
 ];
 
 /// Networks of the published widths, fitted from the shared start.
@@ -255,6 +267,12 @@ pub const INTERPOLATIONS: &[InterpolationEntry] = &[
         title: "PCA of tables",
         about: "straight between PCA codes of log tables",
         build: |catalog| Ok(Box::new(CodeInterpolation::new("pca_tables", catalog.pca_tables()?))),
+    },
+    InterpolationEntry {
+        name: "charting",
+        title: "Charting",
+        about: "straight in 15 chart coordinates of log tables",
+        build: |catalog| Ok(Box::new(CodeInterpolation::new("charting", catalog.charting_15()?))),
     },
     InterpolationEntry {
         name: "linear_mix",

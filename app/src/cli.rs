@@ -8,8 +8,8 @@ use clap::{Arg, CommandFactory as _, FromArgMatches as _, Parser, Subcommand};
 use crate::command::Global;
 use crate::command::{
     axes::Axes, blend::Blend, compare::Compare, completions::Completions, decode::Decode, edit::Edit, encode::Encode,
-    evaluate::Evaluate, fit::Fit, import::Import, info::Info, list::List, render::Render, sampling::Sampling,
-    speed::Speed, train::Train,
+    evaluate::Evaluate, fit::Fit, import::Import, info::Info, list::List, manifold::Manifold, render::Render,
+    sampling::Sampling, speed::Speed, train::Train,
 };
 use crate::failure::exit_code;
 
@@ -40,6 +40,7 @@ enum Command {
     Evaluate(Evaluate),
     Compare(Compare),
     Axes(Axes),
+    Manifold(Manifold),
     Sampling(Sampling),
     Speed(Speed),
     Completions(Completions),
@@ -84,6 +85,7 @@ impl Cli {
             Some(Command::Blend(command)) => command.run(&self.global),
             Some(Command::Edit(command)) => command.run(&self.global),
             Some(Command::Axes(command)) => command.run(&self.global),
+            Some(Command::Manifold(command)) => command.run(&self.global),
             Some(Command::Render(command)) => command.run(&self.global),
             Some(Command::Completions(command)) => command.run(),
             #[cfg(feature = "gui")]

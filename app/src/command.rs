@@ -12,6 +12,7 @@ pub mod fit;
 pub mod import;
 pub mod info;
 pub mod list;
+pub mod manifold;
 pub mod render;
 pub mod sampling;
 pub mod speed;

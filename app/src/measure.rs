@@ -2,6 +2,7 @@
 
 pub mod calibration;
 pub mod families;
+pub mod manifold;
 pub mod path_quality;
 pub mod sampling;
 pub mod speed;

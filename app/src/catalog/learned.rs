@@ -6,6 +6,7 @@ use std::sync::{Arc, OnceLock};
 use anyhow::Result;
 use autoencoder::{Architecture, Autoencoder};
 use nbrdf_core::library::builtin;
+use nbrdf_core::representation::charting::{Charting, Options, Span};
 use nbrdf_core::representation::pca_tables::PcaTables;
 use nbrdf_core::representation::pca_weights::PcaWeights;
 use nbrdf_core::representation::refined::Refined;
@@ -23,12 +24,24 @@ pub struct Catalog {
     validate: bool,
     pca_tables: OnceLock<Arc<PcaTables>>,
     pca_weights: OnceLock<Arc<WithNetwork<PcaWeights>>>,
+    span: OnceLock<Arc<Span>>,
+    charting_15: OnceLock<Arc<Charting>>,
+    charting_2: OnceLock<Arc<Charting>>,
 }
 
 impl Catalog {
     /// Bases are learned from the training materials among these.
     pub const fn new(reference: Arc<Reference>) -> Self {
-        Self { reference, checkpoint: None, validate: false, pca_tables: OnceLock::new(), pca_weights: OnceLock::new() }
+        Self {
+            reference,
+            checkpoint: None,
+            validate: false,
+            pca_tables: OnceLock::new(),
+            pca_weights: OnceLock::new(),
+            span: OnceLock::new(),
+            charting_15: OnceLock::new(),
+            charting_2: OnceLock::new(),
+        }
     }
 
     /// For measuring: against this library or the default reference, with this checkpoint or the built-in one.
@@ -125,6 +138,33 @@ impl Catalog {
         Ok(Arc::clone(
             self.pca_weights.get_or_init(|| Arc::new(WithNetwork { inner: learned, source: shared_start_network })),
         ))
+    }
+
+    /// The affine span of the training materials' log tables.
+    pub fn span(&self) -> Result<Arc<Span>> {
+        if let Some(known) = self.span.get() {
+            return Ok(Arc::clone(known));
+        }
+        let learned = Arc::new(Span::learn(&self.training(&self.reference.materials))?);
+        Ok(Arc::clone(self.span.get_or_init(|| learned)))
+    }
+
+    /// The manifold of log tables in 15 coordinates.
+    pub fn charting_15(&self) -> Result<Arc<Charting>> {
+        self.charting(&self.charting_15, "charting_15", Options::MATERIALS)
+    }
+
+    /// The manifold of log tables in 2 coordinates.
+    pub fn charting_2(&self) -> Result<Arc<Charting>> {
+        self.charting(&self.charting_2, "charting_2", Options::MAP)
+    }
+
+    fn charting(&self, known: &OnceLock<Arc<Charting>>, name: &'static str, options: Options) -> Result<Arc<Charting>> {
+        if let Some(known) = known.get() {
+            return Ok(Arc::clone(known));
+        }
+        let learned = Arc::new(Charting::learn(name, self.span()?, options)?);
+        Ok(Arc::clone(known.get_or_init(|| learned)))
     }
 
     /// The MERL materials that may be learned from.

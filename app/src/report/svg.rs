@@ -1,5 +1,7 @@
 //! Charts as SVG: points over a logarithmic axis, readable at page width in light and in dark.
 
+pub mod map;
+
 use std::fmt::{self, Write};
 
 /// Size of a chart in its own units; text is 13 units high.

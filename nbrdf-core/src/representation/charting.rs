@@ -1,8 +1,8 @@
 //! Charting: a material's place on the manifold of measured ones.
 //!
-//! M. Brand, *Charting a Manifold* (NIPS 2002): soft neighbourhoods ([`kernel`]), a local projection in each ([`chart`]),
-//! one affine map per chart so that all agree ([`connection`]), mappings both ways ([`mapping`]). W. Matusik et al., *A
-//! Data-Driven Reflectance Model* (2003), section 6, take it for the manifold of BRDFs, with 15 coordinates.
+//! M. Brand, *Charting a Manifold* (NIPS 2002): soft neighbourhoods (`kernel`), a local projection in each (`chart`), one
+//! affine map per chart so that all agree (`connection`), mappings both ways (`mapping`). W. Matusik et al., *A
+//! Data-Driven Reflectance Model* (2003), take it for the manifold of measured BRDFs, with 15 coordinates.
 //!
 //! Differs from the latter: the data are the log tables of `PROTOCOL`'s PCA-32, in coordinates of the affine span of the
 //! training materials, which is exact: no chart ever leaves it.

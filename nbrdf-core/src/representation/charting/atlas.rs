@@ -75,7 +75,7 @@ impl Atlas {
         let densities: Vec<Vec<f64>> =
             points.par_iter().map(|point| charts.iter().map(|chart| chart.log_density(point)).collect()).collect();
         let temperature = temperature(&densities, options.shared);
-        let weights: Vec<Vec<f64>> = densities.iter().map(|row| posterior(row, temperature)).collect();
+        let (charts, weights) = used(charts, densities.iter().map(|row| posterior(row, temperature)).collect());
         let local: Vec<Vec<Vec<f64>>> =
             charts.par_iter().map(|chart| points.iter().map(|point| chart.local(point)).collect()).collect();
         let ridge = |chart: &Chart| options.ridge * chart.variances.iter().sum::<f64>() / dim as f64;
@@ -123,6 +123,15 @@ impl Atlas {
         let of = |chart: &Chart| chart.mean.len() * (self.dim + 1) + self.dim * (3 * self.dim + 2) + 3;
         self.mapping.placed.iter().map(|placed| of(&placed.chart)).sum()
     }
+}
+
+/// Without the charts that no point belongs to, not even their centre: there is nothing to connect them by.
+fn used(charts: Vec<Chart>, weights: Vec<Vec<f64>>) -> (Vec<Chart>, Vec<Vec<f64>>) {
+    let is_used: Vec<bool> = (0..charts.len()).map(|k| weights.iter().any(|row| row[k] > 0.0)).collect();
+    let kept =
+        |row: Vec<f64>| row.into_iter().zip(&is_used).filter_map(|(weight, used)| used.then_some(weight)).collect();
+    let weights = weights.into_iter().map(kept).collect();
+    (charts.into_iter().zip(&is_used).filter_map(|(chart, used)| used.then_some(chart)).collect(), weights)
 }
 
 /// Maps after the affine map that keeps lengths best and puts the coordinates on their principal axes.

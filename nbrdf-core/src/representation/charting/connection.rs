@@ -43,12 +43,12 @@ pub(super) fn connect(
     let mut factors = Vec::with_capacity(charts);
     // L⁻¹ U with D = L Lᵀ, block by block.
     let mut whitened = Mat::<f64>::zeros(charts * size, points);
-    for k in 0..charts {
+    for (k, ridge) in ridge.iter().enumerate() {
         let mut block = Mat::from_fn(size, size, |a, b| {
             (0..points).map(|i| weights[i][k] * lifted(k, i, a) * lifted(k, i, b)).sum::<f64>()
         });
         let total = block[(dim, dim)];
-        (0..dim).for_each(|a| block[(a, a)] += ridge[k] * total);
+        (0..dim).for_each(|a| block[(a, a)] += ridge * total);
         let factor = Llt::new(block.as_ref(), Side::Lower).map_err(|_| ChartingError::NoConvergence)?;
         let own = Mat::from_fn(size, points, |a, i| weights[i][k] * lifted(k, i, a));
         let half = forward_substitution(factor.L(), &own);

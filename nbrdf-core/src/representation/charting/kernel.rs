@@ -80,8 +80,8 @@ fn scatter<'a>(centre: &[f64], weighted: impl Iterator<Item = (&'a Vec<f64>, &'a
     for (point, &weight) in weighted.filter(|(_, weight)| **weight > 1e-300) {
         offset.iter_mut().zip(point.iter().zip(centre)).for_each(|(o, (p, c))| *o = p - c);
         let mut start = 0;
-        for a in 0..dim {
-            let scaled = weight * offset[a];
+        for (a, own) in offset.iter().enumerate() {
+            let scaled = weight * own;
             for (sum, b) in sum[start..=start + a].iter_mut().zip(&offset) {
                 *sum += scaled * b;
             }
@@ -105,18 +105,18 @@ mod tests {
         let points = swiss_roll(60, 0.3, 1).points;
         let near = CoLocality::new(&points, &points, 8).unwrap();
         let solved = covariances(&points, &points, &near);
-        for i in 0..points.len() {
+        for (i, (centre, found)) in points.iter().zip(&solved).enumerate() {
             let mut right = Mat::<f64>::zeros(3, 3);
-            for j in 0..points.len() {
+            for (j, (point, neighbour)) in points.iter().zip(&solved).enumerate() {
                 let (own, other) = (near.of_points[i][j], near.of_centres[i][j]);
                 for (a, b) in (0..3).flat_map(|a| (0..3).map(move |b| (a, b))) {
-                    let product = (points[j][a] - points[i][a]) * (points[j][b] - points[i][b]);
-                    right[(a, b)] += (own + other) * product + other * solved[j][(a, b)];
+                    let product = (point[a] - centre[a]) * (point[b] - centre[b]);
+                    right[(a, b)] += (own + other) * product + other * neighbour[(a, b)];
                 }
             }
-            let left = &solved[i] * near.total(i);
+            let left = found * near.total(i);
             assert!((left - &right).norm_max() < 1e-9 * right.norm_max(), "chart {i}");
-            let variances = solved[i].self_adjoint_eigenvalues(Side::Lower).unwrap();
+            let variances = found.self_adjoint_eigenvalues(Side::Lower).unwrap();
             assert!(variances[0] > 0.0, "{variances:?}");
         }
     }
