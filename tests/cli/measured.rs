@@ -24,7 +24,8 @@ fn measured_files_are_materials_and_networks_are_fitted_to_them() {
     let wide = ["fit", list, "-o", "blue.npz", "--steps", "300", "--hidden", "16,16", "--leave-out", "10", "--json"];
     let fitted = place.run(&wide).json();
     assert_eq!(fitted["hidden"], serde_json::json!([16, 16]));
-    assert!(fitted["error"]["mean_relative_error"].as_f64().unwrap() < 1.0, "{fitted}");
+    let error = |key: &str| fitted["error"][key].as_f64().unwrap();
+    assert!(error("mean_relative_error") < 1.0 && error("of_lambert_ggx") < error("of_lambert"), "{fitted}");
     assert_eq!(place.run(&["info", "blue.npz", "--json"]).json()["hidden"], serde_json::json!([16, 16]));
 }
 

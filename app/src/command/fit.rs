@@ -9,6 +9,7 @@ use nbrdf_core::measured::{self, Measured};
 use nbrdf_core::metric::{ImageMetric, Metric, Rendered, log_error};
 use nbrdf_core::nbrdf::fit::{FitOptions, fit, fit_list, random_hidden};
 use nbrdf_core::nbrdf::{MAX_HIDDEN, file};
+use nbrdf_core::representation::analytic::{Analytic, GgxLobe, LambertAlone, Parametric};
 use nbrdf_core::sample_list::SampleList;
 use nbrdf_core::sampling::{evaluate, rus32k};
 use nbrdf_core::{Brdf, Material, Nbrdf};
@@ -76,6 +77,8 @@ impl Fit {
                 let error = json!({
                     "samples": fitted.len(), "judged": judged.len(), "below_horizon": list.below,
                     "mean_relative_error": relative_error(&judged, &network),
+                    "of_lambert": formula_error::<LambertAlone>(&fitted, &judged),
+                    "of_lambert_ggx": formula_error::<GgxLobe>(&fitted, &judged),
                 });
                 (network, error)
             }
@@ -125,14 +128,19 @@ fn table_error(table: &dyn Brdf, network: &Nbrdf) -> Value {
 }
 
 /// Mean over samples and channels of |found − measured| / measured, those below a thousandth of the mean left out.
-fn relative_error(list: &SampleList, network: &Nbrdf) -> f64 {
-    let found = evaluate(network, &list.at);
+fn relative_error(list: &SampleList, brdf: &dyn Brdf) -> f64 {
+    let found = evaluate(brdf, &list.at);
     let pairs = || list.values.iter().zip(&found).flat_map(|(a, b)| a.0.into_iter().zip(b.0));
     let floor = 1e-3 * pairs().map(|(a, _)| a).sum::<f32>() / (3 * list.len()) as f32;
     let (sum, count) = pairs()
         .filter(|(a, _)| *a > floor)
         .fold((0.0, 0_usize), |(sum, count), (a, b)| (sum + f64::from((b - a).abs() / a), count + 1));
     sum / count.max(1) as f64
+}
+
+/// The same of a formula fitted to the same samples.
+fn formula_error<P: Parametric>(fitted: &SampleList, judged: &SampleList) -> Option<f64> {
+    Analytic::<P>::fit_list(fitted).map(|brdf| relative_error(judged, brdf.as_ref()))
 }
 
 fn text(summary: &Value) -> String {

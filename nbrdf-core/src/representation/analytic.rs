@@ -24,7 +24,10 @@ pub use sgd::SgdLobes;
 pub use target::Target;
 pub use ward::WardLobe;
 
+use target::Places;
+
 use super::{Code, DecodeError, EncodeError, Representation};
+use crate::sample_list::SampleList;
 use crate::{Brdf, Material};
 
 /// Which parameters the numbers of codes stand for: another meaning, another version.
@@ -54,6 +57,15 @@ impl<P> Analytic<P> {
     /// The formula.
     pub const fn new() -> Self {
         Self(PhantomData)
+    }
+}
+
+impl<P: Parametric> Analytic<P> {
+    /// The formula fitted to samples that were measured, each of which counts as much; none where there is none.
+    pub fn fit_list(list: &SampleList) -> Option<Box<dyn Brdf>> {
+        let places = Places::new(list.at.clone(), vec![1.0; list.len()]);
+        let found = || P::reflectance(&P::fit(&Target::measured(&places, list.values.clone())));
+        (!list.is_empty()).then(found)
     }
 }
 

@@ -6,7 +6,7 @@ use rayon::prelude::*;
 use super::Parametric;
 use super::fit::Problem;
 use super::number::{log_between, of_log_between, of_positive, positive_rgb};
-use super::target::{Target, logs, places};
+use super::target::Target;
 use crate::brdf::free_fresnel::{Facets, FreeFresnel};
 use crate::{Brdf, Rgb};
 
@@ -73,11 +73,11 @@ fn starts(target: &Target, facets: Facets) -> Vec<Vec<f32>> {
 
 /// The numbers of all channels, found together.
 pub(super) fn solve_together<P: Parametric>(target: &Target, starts: &[Vec<f32>]) -> Vec<f32> {
-    let places = places();
+    let places = target.places;
     let of_point = |point: &Vec<f32>| {
         let mut values = vec![Rgb::BLACK; places.at.len()];
         P::reflectance(point).eval_prepared(&places.at, &mut values);
-        logs(&values)
+        places.logs(&values)
     };
     let weights: Vec<f32> = places.weights.iter().flat_map(|weight| [weight / 3.0; 3]).collect();
     let all = |points: &[Vec<f32>]| points.par_iter().map(of_point).collect::<Vec<_>>();

@@ -10,7 +10,7 @@ use rayon::prelude::*;
 use super::Parametric;
 use super::fit::Problem;
 use super::number::{between, log_between, of_between, of_log_between, of_positive, positive};
-use super::target::{Target, logs, places};
+use super::target::Target;
 use crate::brdf::sgd::{Sgd, Shadowing, ShiftedGamma};
 use crate::{Brdf, Rgb};
 
@@ -77,13 +77,13 @@ fn numbers_of(channel: &ShiftedGamma) -> Vec<f32> {
 
 /// The numbers of one channel.
 fn solve(target: &Target, channel: usize, starts: &[Vec<f32>]) -> Vec<f32> {
-    let places = places();
+    let places = target.places;
     // The channels of a reflectance evaluate three codes at once.
     let of_three = |points: &[Vec<f32>]| {
         let sgd = Sgd { channels: [0, 1, 2].map(|i| of_numbers(&points[i.min(points.len() - 1)])) };
         let mut values = vec![Rgb::BLACK; places.at.len()];
         sgd.eval_prepared(&places.at, &mut values);
-        let logs = logs(&values);
+        let logs = places.logs(&values);
         (0..points.len()).map(|i| logs.iter().skip(i).step_by(3).copied().collect()).collect::<Vec<Vec<f32>>>()
     };
     let all = |points: &[Vec<f32>]| points.chunks(3).flat_map(of_three).collect::<Vec<_>>();

@@ -10,7 +10,7 @@ use crate::{Brdf, Directions, Rgb};
 /// Pairs of directions.
 const PAIRS: usize = 3072;
 
-/// Where reflectances are compared, the same for all materials.
+/// Where reflectances are compared.
 pub(super) struct Places {
     /// Pairs above the surface.
     pub at: Prepared,
@@ -20,42 +20,61 @@ pub(super) struct Places {
     pub weights: Vec<f32>,
 }
 
-/// θ_half is spaced as u², as MERL's cells are (W. Matusik et al. 2003, section 3), so that highlights narrower than a degree
+/// The same for all materials. θ_half is spaced as u², as MERL's cells are (W. Matusik et al. 2003, section 3), so that highlights narrower than a degree
 /// are seen; each pair counts as much as it stands for among even angles, so that the loss is the metric's.
 /// None of the pairs is one of the metric's.
-pub(super) fn places() -> &'static Places {
+fn places() -> &'static Places {
     static PLACES: OnceLock<Places> = OnceLock::new();
     PLACES.get_or_init(|| {
         let spaced = even_shares().map(|[u, diff, around]| (half_difference([u * u, diff, around]), u));
         let found: Vec<(Directions, f32)> = spaced.filter(|(at, _)| at.is_above()).take(PAIRS).collect();
-        let sum: f32 = found.iter().map(|(_, u)| u).sum();
-        Places {
-            cosines: found.iter().map(|(at, _)| at.light.z).collect(),
-            weights: found.iter().map(|(_, u)| u / sum).collect(),
-            at: Prepared::new(found.into_iter().map(|(at, _)| at).collect()),
-        }
+        let (at, counts) = found.into_iter().unzip();
+        Places::new(at, counts)
     })
 }
 
-/// A material at the [`places`].
-pub struct Target {
+impl Places {
+    /// Pairs and what each counts, in any unit.
+    pub fn new(at: Vec<Directions>, mut counts: Vec<f32>) -> Self {
+        let sum: f32 = counts.iter().sum();
+        counts.iter_mut().for_each(|count| *count /= sum);
+        Self { cosines: at.iter().map(|at| at.light.z).collect(), weights: counts, at: Prepared::new(at) }
+    }
+
+    /// ln(1 + f_r cos θ_i), channel by channel within each pair.
+    pub fn logs(&self, values: &[Rgb]) -> Vec<f32> {
+        let pairs = values.iter().zip(&self.cosines);
+        let mut logs: Vec<f32> = pairs.flat_map(|(f, cos)| f.map(|f| 1.0 + f.max(0.0) * cos).0).collect();
+        logarithms(&mut logs);
+        logs
+    }
+}
+
+/// A material at some places.
+pub struct Target<'a> {
+    pub(super) places: &'a Places,
     /// f_r \[1/sr\].
     pub values: Vec<Rgb>,
     /// ln(1 + f_r cos θ_i), channel by channel within each pair.
     pub logs: Vec<f32>,
 }
 
-impl Target {
+impl<'a> Target<'a> {
     /// Looks at a material; none where it is not finite.
     pub(super) fn of(brdf: &dyn Brdf) -> Option<Self> {
         let mut values = vec![Rgb::BLACK; PAIRS];
         brdf.eval_prepared(&places().at, &mut values);
-        values.iter().all(|f| f.is_finite()).then(|| Self { logs: logs(&values), values })
+        values.iter().all(|f| f.is_finite()).then(|| Self::measured(places(), values))
+    }
+
+    /// What was measured at these places, finite.
+    pub(super) fn measured(places: &'a Places, values: Vec<Rgb>) -> Self {
+        Self { logs: places.logs(&values), values, places }
     }
 
     /// About the reflectance of the base: what a fifth of the pairs with tilted half vectors are below, per channel.
     pub(super) fn base(&self) -> Rgb {
-        let tilted = places().at.directions().iter().map(|at| at.rusinkiewicz().theta_half > 0.5);
+        let tilted = self.places.at.directions().iter().map(|at| at.rusinkiewicz().theta_half > 0.5);
         let seen: Vec<Rgb> = self.values.iter().zip(tilted).filter(|(_, tilted)| *tilted).map(|(f, _)| *f).collect();
         Rgb([0, 1, 2].map(|channel| {
             let mut values: Vec<f32> = seen.iter().map(|f| f[channel]).collect();
@@ -66,8 +85,8 @@ impl Target {
 
     /// How bright a lobe of this shape is that stands for what is above the base: least squares of f cos θ_i, per channel.
     pub(super) fn brightness(&self, base: Rgb, shape: &dyn Brdf) -> Rgb {
-        let places = places();
-        let mut lobe = vec![Rgb::BLACK; PAIRS];
+        let places = self.places;
+        let mut lobe = vec![Rgb::BLACK; places.at.len()];
         shape.eval_prepared(&places.at, &mut lobe);
         Rgb([0, 1, 2].map(|channel| {
             let (mut both, mut own) = (0.0, 0.0);
@@ -80,12 +99,4 @@ impl Target {
             if own > 0.0 { (both / own) as f32 } else { 0.0 }
         }))
     }
-}
-
-/// ln(1 + f cos θ_i), channel by channel within each pair.
-pub(super) fn logs(values: &[Rgb]) -> Vec<f32> {
-    let pairs = values.iter().zip(&places().cosines);
-    let mut logs: Vec<f32> = pairs.flat_map(|(f, cos)| f.map(|f| 1.0 + f.max(0.0) * cos).0).collect();
-    logarithms(&mut logs);
-    logs
 }

@@ -79,6 +79,23 @@ fn a_black_material_has_a_code_and_one_that_is_not_finite_has_none() {
     }
 }
 
+#[test]
+fn samples_of_a_formula_find_it_again_and_no_samples_find_nothing() {
+    let sampled: Vec<Directions> = rus32k().iter().step_by(41).copied().collect();
+    let ggx = FreeFresnel {
+        diffuse: Rgb([0.3, 0.1, 0.02]),
+        f0: Rgb::splat(0.05),
+        f90: Rgb::splat(0.8),
+        alpha: 0.3,
+        facets: Facets::Ggx,
+    };
+    let list = SampleList { values: evaluate(&ggx, &sampled), at: sampled, below: 0 };
+    let found = Analytic::<GgxLobe>::fit_list(&list).unwrap();
+    let error = LogError.distance(&ggx, found.as_ref());
+    assert!(error < 1e-3, "{error}");
+    assert!(Analytic::<GgxLobe>::fit_list(&SampleList::default()).is_none());
+}
+
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(24))]
 
