@@ -23,6 +23,7 @@ use nbrdf_core::path::weight_path::WeightInterpolation;
 use nbrdf_core::representation::analytic::{
     AbcLobe, Analytic, BlinnPhongLobe, GgxLobe, LambertAlone, Parametric, SgdLobes, WardLobe,
 };
+use nbrdf_core::representation::factored_microfacet::FactoredMicrofacet;
 use nbrdf_core::representation::network::Network;
 use nbrdf_core::representation::refined::Refined;
 use nbrdf_core::{Interpolation, Representation};

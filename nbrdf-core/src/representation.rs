@@ -3,6 +3,7 @@
 pub mod analytic;
 pub mod charting;
 pub mod code;
+pub mod factored_microfacet;
 pub mod log_table;
 pub mod network;
 pub mod pca;
