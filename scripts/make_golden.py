@@ -207,6 +207,24 @@ def _printed(values: np.ndarray) -> np.ndarray:
     return np.round(values, 9)
 
 
+def least_squares() -> bytes:
+    """Systems from well posed to nearly singular: condition number, and plain and ridge answers."""
+    random = np.random.default_rng(11)
+    systems = []
+    for rows, unknowns, falling in ((9, 4, 0.0), (30, 8, 0.5), (5, 7, 0.4)):
+        # The k-th column all but repeats the mean of those before it, by 10 to the power −falling · k.
+        columns = [random.normal(size=rows)]
+        for k in range(1, unknowns):
+            columns.append(np.mean(columns, axis=0) * (falling > 0) + 10.0 ** (-falling * k) * random.normal(size=rows))
+        # Rounded first, so that whoever reads the file starts from the same numbers.
+        matrix, right = np.array(_rounded(np.stack(columns, axis=1))), np.array(_rounded(random.normal(size=rows)))
+        damping = 0.05
+        ridge = np.linalg.solve(matrix.T @ matrix + damping * np.eye(unknowns), matrix.T @ right)
+        plain = np.linalg.lstsq(matrix, right, rcond=None)[0]
+        systems.append({"matrix": matrix, "right": right, "condition": float(np.linalg.cond(matrix)), "plain": plain, "damping": damping, "ridge": ridge})
+    return _json("least_squares", "min |matrix x - right|^2 + damping |x|^2; plain is the shortest answer without damping", {"systems": systems})
+
+
 def _parameters(material: Microfacet) -> dict[str, Any]:
     return {"diffuse": list(material.diffuse), "f0": material.f0 and list(material.f0), "alpha": material.alpha, "lobe": material.lobe}
 
@@ -236,6 +254,7 @@ FILES = {
     "judged": ("judged.json", metric_values),
     "lobes": ("lobes.json", lobe_values),
     "charting": ("charting.json", charting),
+    "least_squares": ("least_squares.json", least_squares),
 }
 
 

@@ -40,6 +40,7 @@ pub mod hash;
 pub mod image;
 pub mod least_squares;
 pub mod library;
+pub mod linear_system;
 pub mod material;
 pub mod measured;
 pub mod merl;
