@@ -4,6 +4,7 @@
 //! (A metric that `evaluate` should report also needs its line in `measure/target.rs`, which evaluates and renders once.)
 
 mod learned;
+mod measured;
 mod reference;
 mod twin;
 

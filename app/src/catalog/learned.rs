@@ -12,6 +12,7 @@ use nbrdf_core::representation::pca_weights::PcaWeights;
 use nbrdf_core::representation::refined::Refined;
 use nbrdf_core::{Database, Interpolation, Material, Split};
 
+use super::measured::Measured;
 use super::twin::{WithNetwork, independent_network, shared_start_network};
 use super::{DIM, INTERPOLATIONS, InterpolationEntry, REPRESENTATIONS, Reference, Shared, Variant};
 use crate::failure::Failure;
@@ -27,6 +28,7 @@ pub struct Catalog {
     span: OnceLock<Arc<Span>>,
     charting_15: OnceLock<Arc<Charting>>,
     charting_2: OnceLock<Arc<Charting>>,
+    pub(super) measured: Measured,
 }
 
 impl Catalog {
@@ -41,6 +43,7 @@ impl Catalog {
             span: OnceLock::new(),
             charting_15: OnceLock::new(),
             charting_2: OnceLock::new(),
+            measured: Measured::new(),
         }
     }
 
@@ -168,7 +171,7 @@ impl Catalog {
     }
 
     /// The MERL materials that may be learned from.
-    fn training(&self, materials: &[Material]) -> Vec<Material> {
+    pub(super) fn training(&self, materials: &[Material]) -> Vec<Material> {
         let may_learn =
             |name: &str| Database::of(name) == Database::Merl && Split::of(name).is_learned_from(self.validate);
         materials.iter().filter(|material| may_learn(&material.name)).cloned().collect()
