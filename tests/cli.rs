@@ -6,6 +6,8 @@ mod codes;
 mod manifold;
 #[path = "cli/measured.rs"]
 mod measured;
+#[path = "cli/reconstruct.rs"]
+mod reconstruct;
 mod support;
 
 use std::io::{Cursor, Write};

@@ -8,8 +8,8 @@ use clap::{Arg, CommandFactory as _, FromArgMatches as _, Parser, Subcommand};
 use crate::command::Global;
 use crate::command::{
     axes::Axes, blend::Blend, compare::Compare, completions::Completions, decode::Decode, edit::Edit, encode::Encode,
-    evaluate::Evaluate, fit::Fit, import::Import, info::Info, list::List, manifold::Manifold, render::Render,
-    sampling::Sampling, speed::Speed, train::Train,
+    evaluate::Evaluate, fit::Fit, import::Import, info::Info, list::List, manifold::Manifold, reconstruct::Reconstruct,
+    render::Render, sampling::Sampling, speed::Speed, train::Train,
 };
 use crate::failure::exit_code;
 
@@ -42,6 +42,7 @@ enum Command {
     Axes(Axes),
     Manifold(Manifold),
     Sampling(Sampling),
+    Reconstruct(Reconstruct),
     Speed(Speed),
     Completions(Completions),
 }
@@ -79,6 +80,7 @@ impl Cli {
             Some(Command::Evaluate(command)) => command.run(&self.global),
             Some(Command::Compare(command)) => command.run(&self.global),
             Some(Command::Sampling(command)) => command.run(&self.global),
+            Some(Command::Reconstruct(command)) => command.run(&self.global),
             Some(Command::Speed(command)) => command.run(&self.global),
             Some(Command::Encode(command)) => command.run(&self.global),
             Some(Command::Decode(command)) => command.run(&self.global),

@@ -13,6 +13,7 @@ pub mod import;
 pub mod info;
 pub mod list;
 pub mod manifold;
+pub mod reconstruct;
 pub mod render;
 pub mod sampling;
 pub mod speed;

@@ -4,6 +4,7 @@ pub mod calibration;
 pub mod families;
 pub mod manifold;
 pub mod path_quality;
+pub mod reconstruction;
 pub mod sampling;
 pub mod speed;
 mod target;

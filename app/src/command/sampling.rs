@@ -132,6 +132,7 @@ fn chart(rows: &[SamplingRow]) -> LogChart {
         ),
         x_label: "materials, by rising variance of cosine sampling".to_owned(),
         y_label: "relative variance of one sample".to_owned(),
+        x_ticks: Vec::new(),
         series: vec![
             series(0, "uniform", 0, Mark::Ring, None),
             series(1, "cosine", 1, Mark::Dot, None),

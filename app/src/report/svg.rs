@@ -48,6 +48,8 @@ pub struct LogChart {
     pub x_label: String,
     /// What is measured, with its unit.
     pub y_label: String,
+    /// Places that are named on the axis; none where they are only ranks.
+    pub x_ticks: Vec<(f64, String)>,
     /// The points.
     pub series: Vec<Series>,
 }
@@ -90,6 +92,16 @@ impl LogChart {
             )?;
             let tick = if (-3..=4).contains(&decade) { plain(decade) } else { format!("1e{decade}") };
             writeln!(out, "<text class=\"tick\" x=\"{}\" y=\"{:.1}\">{tick}</text>", LEFT - 8.0, at + 4.5)?;
+        }
+        for (place, tick) in &self.x_ticks {
+            let (at, low) = (x(*place), HEIGHT - BOTTOM);
+            writeln!(
+                out,
+                "<line class=\"grid\" x1=\"{at:.1}\" x2=\"{at:.1}\" y1=\"{TOP}\" y2=\"{low}\"/>\n\
+                 <text class=\"label\" x=\"{at:.1}\" y=\"{:.1}\">{}</text>",
+                low + 16.0,
+                escaped(tick)
+            )?;
         }
         let middle = TOP + 0.5 * (HEIGHT - TOP - BOTTOM);
         writeln!(
@@ -167,7 +179,8 @@ mod tests {
     fn chart(points: Vec<(f64, f64, String)>) -> LogChart {
         let word = || "a < b & c".to_owned();
         let series = vec![Series { name: word(), colour: 1, mark: Mark::Cross, points }];
-        LogChart { title: word(), subtitle: word(), x_label: word(), y_label: word(), series }
+        let x_ticks = vec![(1.0, word())];
+        LogChart { title: word(), subtitle: word(), x_label: word(), y_label: word(), x_ticks, series }
     }
 
     #[test]
