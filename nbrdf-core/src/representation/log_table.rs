@@ -76,7 +76,7 @@ pub(crate) fn corners(at: Directions) -> [(usize, f32); 8] {
     let p1 = (p0 + 1) % p;
     let (halves, diffs, turns) = ([(h0, 1.0 - th), (h1, th)], [(d0, 1.0 - td), (d1, td)], [(p0, 1.0 - tp), (p1, tp)]);
     std::array::from_fn(|corner| {
-        let [(ih, wh), (id, wd), (ip, wp)] = [halves[corner >> 2], diffs[corner >> 1 & 1], turns[corner & 1]];
+        let [(ih, wh), (id, wd), (ip, wp)] = [halves[corner >> 2], diffs[(corner >> 1) & 1], turns[corner & 1]];
         (index([ih, id, ip]), wh * wd * wp)
     })
 }

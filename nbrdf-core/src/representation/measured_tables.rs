@@ -68,9 +68,7 @@ impl MeasuredTables {
             for (own, table) in coefficients.as_chunks::<3>().0.iter().zip(&self.tables) {
                 let table = table[3 * PIECE * piece..].as_chunks::<3>().0;
                 for (out, value) in out.as_chunks_mut::<3>().0.iter_mut().zip(table) {
-                    for channel in 0..3 {
-                        out[channel] += own[channel] * value[channel];
-                    }
+                    *out = std::array::from_fn(|channel| out[channel] + own[channel] * value[channel]);
                 }
             }
         });

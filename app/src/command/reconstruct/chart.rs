@@ -22,7 +22,7 @@ pub(super) fn chart(measured: &Measured, draws: u64) -> LogChart {
     let damping = nbrdf_core::representation::optimal_sampling::DAMPING;
     let random = directions("random", damping);
     let chosen = directions("expected_error", damping);
-    let pictures: Vec<Point> = measured.images.iter().map(|row| (row.pixels, row.errors.log_error)).collect();
+    let pictures: Vec<Point> = measured.images.iter().map(|row| (row.count, row.errors.log_error)).collect();
     let last = |points: &[Point]| points.last().map_or(f64::NAN, |point| point.1);
     let series = |name: &str, colour, mark, points: &[Point]| {
         let tip = |count: usize, error: f64| format!("{name}: {count} measured, log_error {}", figure(error));
@@ -35,20 +35,20 @@ pub(super) fn chart(measured: &Measured, draws: u64) -> LogChart {
             last(&random) / last(&chosen)
         ),
         subtitle: format!(
-            "{} materials never learned from; random samples are means over {draws} draws; each number of pixels is \
-             one more picture",
+            "{} materials never learned from; random ones are means over {draws} draws; sums of measured materials from \
+             100 on",
             measured.materials
         ),
-        x_label: "measured directions; of pictures of a sphere, lit pixels".to_owned(),
+        x_label: "directions measured; squares: pictures of a sphere".to_owned(),
         y_label: "log_error, mean over materials".to_owned(),
         x_ticks: (0..4u32).map(|decade| (f64::from(decade), 10u32.pow(decade).to_string())).collect(),
         series: vec![
             series("at random", 0, Mark::Ring, &random),
-            series("least condition", 5, Mark::Dot, &directions("condition_number", damping)),
+            series("least condition", 4, Mark::Dot, &directions("condition_number", damping)),
             series("least error", 3, Mark::Dot, &chosen),
             series("pictures", 2, Mark::Square, &pictures),
-            series("sum, plain", 4, Mark::Cross, &mix("logarithm", "plain")),
-            series("sum, ridge", 1, Mark::Dot, &mix("logarithm", "ridge")),
+            series("log sum, plain", 1, Mark::Cross, &mix("logarithm", "plain")),
+            series("log sum, ridge", 1, Mark::Dot, &mix("logarithm", "ridge")),
             series("sum of f, ridge", 0, Mark::Cross, &mix("reflectance", "ridge")),
         ],
     }

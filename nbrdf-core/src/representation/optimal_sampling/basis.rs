@@ -159,7 +159,7 @@ fn dot(a: &[f32], b: &[f32]) -> f32 {
 /// The middle value; the mean of the two in the middle of an even number.
 fn median(mut values: Vec<f32>) -> f32 {
     let middle = values.len() / 2;
-    let even = values.len() % 2 == 0;
+    let even = values.len().is_multiple_of(2);
     let (below, upper, _) = values.select_nth_unstable_by(middle, f32::total_cmp);
     let upper = *upper;
     if even { 0.5 * (upper + below.iter().copied().fold(f32::NEG_INFINITY, f32::max)) } else { upper }
