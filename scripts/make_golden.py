@@ -225,6 +225,35 @@ def least_squares() -> bytes:
     return _json("least_squares", "min |matrix x - right|^2 + damping |x|^2; plain is the shortest answer without damping", {"systems": systems})
 
 
+def rank() -> bytes:
+    """Singular values of tables of 90 × 90 × 180 cells as matrices [90, 48600], by LAPACK's SVD; frames as in the Rust module `rank`."""
+    middles = [(np.arange(n) + 0.5) / n for n in (90, 90, 180)]
+    first, second, turn = (v.ravel() for v in np.meshgrid(*middles, indexing="ij"))
+    zero = np.zeros_like(first)
+    theta_i, theta_o = first * np.pi / 2, second * np.pi / 2
+    frames = {
+        "half_difference": vectors_from_angles(first**2 * np.pi / 2, zero, theta_o, turn * np.pi),
+        "standard": tuple(
+            np.stack((np.sin(theta) * np.cos(phi), np.sin(theta) * np.sin(phi), np.cos(theta)), axis=-1) for theta, phi in ((theta_i, zero), (theta_o, turn * np.pi))
+        ),
+    }
+    rows = []
+    for name in ("roughness_start", "metal_middle"):
+        for frame, (light, view) in frames.items():
+            weighted = MATERIALS[name](light, view) * np.maximum(light[:, 2:], 0.05)
+            below = ((light[:, 2] <= 0) | (view[:, 2] <= 0)).reshape(90, -1)
+            for values, stored in (("plain", weighted), ("log", np.log(weighted + 1e-3))):
+                table = stored.reshape(90, -1, 3)
+                for row in range(1, 90):
+                    table[row, below[row]] = table[row - 1, below[row]]
+                found = np.linalg.svd(table.reshape(90, -1), compute_uv=False)
+                shares = found / found.sum()
+                effective = float(np.exp(-np.sum(shares[shares > 0] * np.log(shares[shares > 0]))))
+                rows.append({"material": name, "frame": frame, "values": values, "effective_rank": effective, "normalised": found[:8] / found[0]})
+    materials = {row["material"]: _parameters(MATERIALS[row["material"]]) for row in rows}
+    return _json("rank", "a cell below the horizon repeats the one before it in its first angle", {"materials": materials, "rows": rows})
+
+
 def _parameters(material: Microfacet) -> dict[str, Any]:
     return {"diffuse": list(material.diffuse), "f0": material.f0 and list(material.f0), "alpha": material.alpha, "lobe": material.lobe}
 
@@ -255,6 +284,7 @@ FILES = {
     "lobes": ("lobes.json", lobe_values),
     "charting": ("charting.json", charting),
     "least_squares": ("least_squares.json", least_squares),
+    "rank": ("rank.json", rank),
 }
 
 

@@ -2,6 +2,8 @@
 
 #[path = "cli/codes.rs"]
 mod codes;
+#[path = "cli/linear.rs"]
+mod linear;
 #[path = "cli/manifold.rs"]
 mod manifold;
 #[path = "cli/measured.rs"]

@@ -26,7 +26,9 @@ use nbrdf_core::representation::analytic::{
 };
 use nbrdf_core::representation::factored_microfacet::FactoredMicrofacet;
 use nbrdf_core::representation::network::Network;
+use nbrdf_core::representation::pca_tables::PcaOptions;
 use nbrdf_core::representation::refined::Refined;
+use nbrdf_core::representation::table::Tables;
 use nbrdf_core::{Interpolation, Representation};
 
 pub use learned::Catalog;
@@ -48,6 +50,8 @@ pub enum Variant {
     Projection,
     /// By a fit to the material.
     Fitted,
+    /// By asking the material in every cell.
+    Tabulated,
     /// By an encoder or a projection, then a few steps against the target itself.
     Refined,
 }
@@ -60,6 +64,7 @@ impl Variant {
             Self::Unrolled => "unrolled",
             Self::Projection => "projection",
             Self::Fitted => "fitted",
+            Self::Tabulated => "tabulated",
             Self::Refined => "refined",
         }
     }
@@ -119,13 +124,31 @@ pub const REPRESENTATIONS: &[RepresentationEntry] = &[
         name: "pca_tables",
         variant: Variant::Projection,
         about: "PCA of ln(f cos + 0.001) tables",
-        build: |catalog| Ok(catalog.pca_tables()?),
+        build: |catalog| Ok(catalog.pca(PcaOptions::PROTOCOL)?),
     },
     RepresentationEntry {
         name: "pca_tables",
         variant: Variant::Refined,
         about: "PCA of log tables, its code refined against the target",
-        build: |catalog| Ok(Arc::new(Refined::new(catalog.pca_tables()?))),
+        build: |catalog| Ok(Arc::new(Refined::new(catalog.pca(PcaOptions::PROTOCOL)?))),
+    },
+    RepresentationEntry {
+        name: "pca_45",
+        variant: Variant::Projection,
+        about: "PCA of ln(f cos + 0.001) tables, 45 components (Matusik et al. 2003)",
+        build: |catalog| Ok(catalog.pca(PcaOptions::LOG_45)?),
+    },
+    RepresentationEntry {
+        name: "pca_plain_45",
+        variant: Variant::Projection,
+        about: "PCA of f cos tables, 45 components: what logarithms are for",
+        build: |catalog| Ok(catalog.pca(PcaOptions::PLAIN_45)?),
+    },
+    RepresentationEntry {
+        name: "pca_relative_45",
+        variant: Variant::Projection,
+        about: "PCA of log tables relative to the median, 45 components (Nielsen et al. 2015)",
+        build: |catalog| Ok(catalog.pca(PcaOptions::RELATIVE_45)?),
     },
     RepresentationEntry {
         name: "pca_weights",
@@ -268,7 +291,7 @@ pub const INTERPOLATIONS: &[InterpolationEntry] = &[
         name: "pca_tables",
         title: "PCA of tables",
         about: "straight between PCA codes of log tables",
-        build: |catalog| Ok(Box::new(CodeInterpolation::new("pca_tables", catalog.pca_tables()?))),
+        build: |catalog| Ok(Box::new(CodeInterpolation::new("pca_tables", catalog.pca(PcaOptions::PROTOCOL)?))),
     },
     InterpolationEntry {
         name: "charting",

@@ -8,8 +8,8 @@ use clap::{Arg, CommandFactory as _, FromArgMatches as _, Parser, Subcommand};
 use crate::command::Global;
 use crate::command::{
     axes::Axes, blend::Blend, compare::Compare, completions::Completions, decode::Decode, edit::Edit, encode::Encode,
-    evaluate::Evaluate, fit::Fit, import::Import, info::Info, list::List, manifold::Manifold, reconstruct::Reconstruct,
-    render::Render, sampling::Sampling, speed::Speed, train::Train,
+    evaluate::Evaluate, fit::Fit, import::Import, info::Info, linear::Linear, list::List, manifold::Manifold,
+    reconstruct::Reconstruct, render::Render, sampling::Sampling, speed::Speed, train::Train,
 };
 use crate::failure::exit_code;
 
@@ -40,6 +40,7 @@ enum Command {
     Evaluate(Evaluate),
     Compare(Compare),
     Axes(Axes),
+    Linear(Linear),
     Manifold(Manifold),
     Sampling(Sampling),
     Reconstruct(Reconstruct),
@@ -79,6 +80,7 @@ impl Cli {
             Some(Command::Train(command)) => command.run(&self.global),
             Some(Command::Evaluate(command)) => command.run(&self.global),
             Some(Command::Compare(command)) => command.run(&self.global),
+            Some(Command::Linear(command)) => command.run(&self.global),
             Some(Command::Sampling(command)) => command.run(&self.global),
             Some(Command::Reconstruct(command)) => command.run(&self.global),
             Some(Command::Speed(command)) => command.run(&self.global),

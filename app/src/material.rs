@@ -11,7 +11,7 @@ use nbrdf_core::library::{Entry, builtin};
 use nbrdf_core::measured::{self, Measured, is_measured};
 use nbrdf_core::{Code, Library, Material, Split};
 
-pub use code_file::{STDIN, read_code};
+pub use code_file::{MAX_NUMBERS, STDIN, read_code};
 
 use crate::catalog::{Catalog, Reference};
 use crate::failure::Failure;

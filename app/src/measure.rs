@@ -2,6 +2,7 @@
 
 pub mod calibration;
 pub mod families;
+pub mod linear;
 pub mod manifold;
 pub mod path_quality;
 pub mod reconstruction;

@@ -10,6 +10,7 @@ pub mod microfacet;
 pub(crate) mod pairs;
 mod prepared;
 pub mod sgd;
+pub mod standard_table;
 pub mod table;
 mod vectors;
 pub mod ward;

@@ -49,6 +49,7 @@ pub mod nbrdf;
 pub mod path;
 pub mod published_fits;
 pub mod quality;
+pub mod rank;
 pub mod render;
 pub mod representation;
 pub mod rgl;

@@ -4,8 +4,8 @@ pub mod analytic;
 pub mod charting;
 pub mod code;
 pub mod factored_microfacet;
+pub mod grid;
 pub mod linear_combination;
-pub mod log_table;
 pub mod log_table;
 pub mod measured_tables;
 pub mod network;
@@ -14,6 +14,10 @@ pub mod pca;
 pub mod pca_tables;
 pub mod pca_weights;
 pub mod refined;
+pub mod span;
+pub mod table;
+pub mod value_table;
+pub mod values;
 
 pub use code::{Code, check_numbers};
 

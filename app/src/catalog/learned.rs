@@ -1,13 +1,13 @@
 //! What the entries of the list learn from and share: reference materials, checkpoint, bases.
 
 use std::path::Path;
-use std::sync::{Arc, OnceLock};
+use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
 use anyhow::Result;
 use autoencoder::{Architecture, Autoencoder};
 use nbrdf_core::library::builtin;
 use nbrdf_core::representation::charting::{Charting, Options, Span};
-use nbrdf_core::representation::pca_tables::PcaTables;
+use nbrdf_core::representation::pca_tables::{PcaOptions, PcaTables};
 use nbrdf_core::representation::pca_weights::PcaWeights;
 use nbrdf_core::representation::refined::Refined;
 use nbrdf_core::{Database, Interpolation, Material, Split};
@@ -23,7 +23,8 @@ pub struct Catalog {
     checkpoint: Option<Arc<Autoencoder>>,
     /// Whether bases leave out the validation materials.
     validate: bool,
-    pca_tables: OnceLock<Arc<PcaTables>>,
+    /// Bases over tables, one for each name asked for.
+    pca: Mutex<Vec<(&'static str, Arc<PcaTables>)>>,
     pca_weights: OnceLock<Arc<WithNetwork<PcaWeights>>>,
     span: OnceLock<Arc<Span>>,
     charting_15: OnceLock<Arc<Charting>>,
@@ -38,7 +39,7 @@ impl Catalog {
             reference,
             checkpoint: None,
             validate: false,
-            pca_tables: OnceLock::new(),
+            pca: Mutex::new(Vec::new()),
             pca_weights: OnceLock::new(),
             span: OnceLock::new(),
             charting_15: OnceLock::new(),
@@ -125,12 +126,27 @@ impl Catalog {
         Arc::new(WithNetwork { inner, source: independent_network })
     }
 
-    pub(super) fn pca_tables(&self) -> Result<Arc<PcaTables>> {
-        if let Some(known) = self.pca_tables.get() {
-            return Ok(Arc::clone(known));
+    /// The basis of these options, of which each name has one.
+    pub(super) fn pca(&self, options: PcaOptions) -> Result<Arc<PcaTables>> {
+        let known = || self.pca.lock().unwrap_or_else(PoisonError::into_inner);
+        let of_name = |all: &[(&str, Arc<PcaTables>)]| {
+            all.iter().find(|(name, _)| *name == options.name).map(|(_, learned)| Arc::clone(learned))
+        };
+        if let Some(learned) = of_name(&known()) {
+            return Ok(learned);
         }
-        let learned = Arc::new(PcaTables::learn(&self.training(&self.reference.materials), DIM)?);
-        Ok(Arc::clone(self.pca_tables.get_or_init(|| learned)))
+        // Not under the lock: learning is parallel, and a thread that waits in it may be handed a task that asks here.
+        let learned = Arc::new(PcaTables::learn(&self.training_materials(), options)?);
+        let mut known = known();
+        Ok(of_name(&known).unwrap_or_else(|| {
+            known.push((options.name, Arc::clone(&learned)));
+            learned
+        }))
+    }
+
+    /// The reference materials that may be learned from.
+    pub fn training_materials(&self) -> Vec<Material> {
+        self.training(&self.reference.materials)
     }
 
     pub(super) fn pca_weights(&self) -> Result<Arc<WithNetwork<PcaWeights>>> {

@@ -8,7 +8,8 @@ use nbrdf_core::{Code, atomic};
 
 use super::Global;
 use crate::catalog::Catalog;
-use crate::material::Sources;
+use crate::failure::Failure;
+use crate::material::{MAX_NUMBERS, Sources};
 use crate::measure::Trust;
 use crate::{output, report};
 
@@ -41,6 +42,14 @@ impl Encode {
         let shelf = self.sources.open()?;
         let item = shelf.material(&self.material)?;
         let representation = shelf.catalog.representation(&self.representation, self.refine)?;
+        if representation.dim() > MAX_NUMBERS {
+            let (name, dim) = (&self.representation, representation.dim());
+            return Err(Failure::Usage(format!(
+                "a code of {name} has {dim} numbers, and a file of a code holds {MAX_NUMBERS} at most: keep the table \
+                 itself"
+            ))
+            .into());
+        }
         let code = representation.encode(&item.material)?;
         let decoded = representation.decode(&code)?;
         let trust = Trust::of(&item.material, &code, decoded.as_ref(), &shelf.catalog.autoencoder())?;

@@ -31,7 +31,7 @@ pub struct Evaluate {
     /// Another ZNBRDF checkpoint than the built-in one.
     #[arg(long, value_name = "CKPT")]
     checkpoint: Option<PathBuf>,
-    /// Report every material, with its code.
+    /// Report every material, with its code unless that is longer than 512 numbers.
     #[arg(long)]
     per_material: bool,
     /// Measure the validation materials instead, which PCA bases then have not seen: for choosing among checkpoints
@@ -40,9 +40,13 @@ pub struct Evaluate {
     validate: bool,
 }
 
+/// Longer codes are not reported: a table's is 50 MB of text.
+const LONGEST_SHOWN: usize = 512;
+
 struct Measured {
     name: String,
-    code: Vec<f32>,
+    /// Unless it is long.
+    code: Option<Vec<f32>>,
     figures: BTreeMap<String, f64>,
 }
 
@@ -105,7 +109,8 @@ impl Evaluate {
                     let trust = Trust::of(material, code, decoded.as_ref(), &known)?;
                     figures.insert("expected_log_error".to_owned(), trust.expected_log_error);
                     figures.extend(trust.distance.map(|distance| ("distance".to_owned(), distance)));
-                    Ok(Measured { name: material.name.clone(), code: code.code.clone(), figures })
+                    let shown = (code.code.len() <= LONGEST_SHOWN).then(|| code.code.clone());
+                    Ok(Measured { name: material.name.clone(), code: shown, figures })
                 };
                 let measured = materials.par_iter().zip(&targets).zip(&codes).map(one).collect::<Result<Vec<_>>>()?;
                 judged.extend(measured.iter().map(Measured::judged));
@@ -150,7 +155,9 @@ impl Evaluate {
             let material = |m: &Measured| {
                 let mut object = json!(m.figures);
                 object["name"] = m.name.as_str().into();
-                object["code"] = json!(m.code);
+                if let Some(code) = &m.code {
+                    object["code"] = json!(code);
+                }
                 object
             };
             row.insert("materials".into(), measured.iter().map(material).collect());

@@ -14,6 +14,8 @@ use nbrdf_core::library::is_name;
 pub const STDIN: &str = "-";
 /// Largest code read \[bytes\]; one of 32 numbers has some 600.
 const MAX_BYTES: u64 = 1 << 20;
+/// Longest code written: at most 16 digits, sign and comma included, of each number are below [`MAX_BYTES`].
+pub const MAX_NUMBERS: usize = 1 << 15;
 
 /// Whether an argument names a code rather than a material or a network.
 pub fn means_a_code(argument: &str) -> bool {

@@ -1,8 +1,11 @@
 //! Charts as SVG: points over a logarithmic axis, readable at page width in light and in dark.
 
+mod lines;
 pub mod map;
 
 use std::fmt::{self, Write};
+
+pub use lines::{LineChart, Scale};
 
 /// Size of a chart in its own units; text is 13 units high.
 const WIDTH: f64 = 920.0;
@@ -67,31 +70,15 @@ impl LogChart {
         let values = || self.series.iter().flat_map(|series| &series.points).map(|point| point.1).filter(|v| *v > 0.0);
         let (lowest, highest) = values().fold((f64::INFINITY, 0.0f64), |(low, high), v| (low.min(v), high.max(v)));
         if !(lowest.is_finite() && highest.is_finite() && highest > 0.0) {
-            return write!(out, "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{WIDTH}\" height=\"{HEIGHT}\"/>");
+            return empty(out);
         }
         let (low, high) = (lowest.log10().floor(), highest.log10().ceil().max(lowest.log10().floor() + 1.0));
         let places = self.series.iter().flat_map(|series| &series.points).map(|point| point.0).fold(1.0, f64::max);
         let x = |place: f64| LEFT + 8.0 + place / places * (WIDTH - LEFT - RIGHT - 16.0);
         let y = |value: f64| TOP + (high - value.log10()) / (high - low) * (HEIGHT - TOP - BOTTOM);
-        writeln!(
-            out,
-            "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {WIDTH} {HEIGHT}\" width=\"{WIDTH}\" \
-             height=\"{HEIGHT}\" role=\"img\">\n<title>{}</title>\n<style>{STYLE}</style>\n\
-             <rect class=\"page\" width=\"{WIDTH}\" height=\"{HEIGHT}\"/>\n\
-             <text class=\"title\" x=\"16\" y=\"28\">{}</text>\n<text class=\"quiet\" x=\"16\" y=\"48\">{}</text>",
-            escaped(&self.title),
-            escaped(&self.title),
-            escaped(&self.subtitle)
-        )?;
+        head(out, &self.title, &self.subtitle)?;
         for decade in low as i32..=high as i32 {
-            let at = y(10f64.powi(decade));
-            writeln!(
-                out,
-                "<line class=\"grid\" x1=\"{LEFT}\" x2=\"{}\" y1=\"{at:.1}\" y2=\"{at:.1}\"/>",
-                WIDTH - RIGHT
-            )?;
-            let tick = if (-3..=4).contains(&decade) { plain(decade) } else { format!("1e{decade}") };
-            writeln!(out, "<text class=\"tick\" x=\"{}\" y=\"{:.1}\">{tick}</text>", LEFT - 8.0, at + 4.5)?;
+            height(out, y(10f64.powi(decade)), &power(decade))?;
         }
         for (place, tick) in &self.x_ticks {
             let (at, low) = (x(*place), HEIGHT - BOTTOM);
@@ -103,16 +90,7 @@ impl LogChart {
                 escaped(tick)
             )?;
         }
-        let middle = TOP + 0.5 * (HEIGHT - TOP - BOTTOM);
-        writeln!(
-            out,
-            "<text class=\"label\" transform=\"translate(20 {middle:.1}) rotate(-90)\">{}</text>\n\
-             <text class=\"label\" x=\"{:.1}\" y=\"{:.1}\">{}</text>",
-            escaped(&self.y_label),
-            0.5 * (LEFT + WIDTH - RIGHT),
-            HEIGHT - 18.0,
-            escaped(&self.x_label)
-        )?;
+        labels(out, &self.x_label, &self.y_label)?;
         let mut legend = LEFT + 8.0;
         for series in &self.series {
             mark(out, series, legend, 72.0, "")?;
@@ -124,6 +102,50 @@ impl LogChart {
         }
         writeln!(out, "</svg>")
     }
+}
+
+/// A picture of nothing.
+fn empty(out: &mut String) -> fmt::Result {
+    write!(out, "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{WIDTH}\" height=\"{HEIGHT}\"/>")
+}
+
+/// Opens the file: page, title, subtitle.
+fn head(out: &mut String, title: &str, subtitle: &str) -> fmt::Result {
+    let (title, subtitle) = (escaped(title), escaped(subtitle));
+    writeln!(
+        out,
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {WIDTH} {HEIGHT}\" width=\"{WIDTH}\" \
+         height=\"{HEIGHT}\" role=\"img\">\n<title>{title}</title>\n<style>{STYLE}</style>\n\
+         <rect class=\"page\" width=\"{WIDTH}\" height=\"{HEIGHT}\"/>\n\
+         <text class=\"title\" x=\"16\" y=\"28\">{title}</text>\n\
+         <text class=\"quiet\" x=\"16\" y=\"48\">{subtitle}</text>"
+    )
+}
+
+/// A line across, with what stands at its left.
+fn height(out: &mut String, at: f64, tick: &str) -> fmt::Result {
+    let (right, left) = (WIDTH - RIGHT, LEFT - 8.0);
+    writeln!(out, "<line class=\"grid\" x1=\"{LEFT}\" x2=\"{right}\" y1=\"{at:.1}\" y2=\"{at:.1}\"/>")?;
+    writeln!(out, "<text class=\"tick\" x=\"{left}\" y=\"{:.1}\">{tick}</text>", at + 4.5)
+}
+
+/// What the axes say.
+fn labels(out: &mut String, x_label: &str, y_label: &str) -> fmt::Result {
+    let middle = TOP + 0.5 * (HEIGHT - TOP - BOTTOM);
+    writeln!(
+        out,
+        "<text class=\"label\" transform=\"translate(20 {middle:.1}) rotate(-90)\">{}</text>\n\
+         <text class=\"label\" x=\"{:.1}\" y=\"{:.1}\">{}</text>",
+        escaped(y_label),
+        0.5 * (LEFT + WIDTH - RIGHT),
+        HEIGHT - 18.0,
+        escaped(x_label)
+    )
+}
+
+/// A power of ten at an axis.
+fn power(decade: i32) -> String {
+    if (-3..=4).contains(&decade) { plain(decade) } else { format!("1e{decade}") }
 }
 
 /// A power of ten in digits.

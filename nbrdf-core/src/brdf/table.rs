@@ -133,12 +133,7 @@ impl Table {
             let [r, g, b, _] = self.cells.get(index(cell(h, CELLS[0]), cell(d, diff), cell(p, phi)));
             return Rgb([r, g, b]);
         }
-        let clamped = |at: f32, cells: usize| {
-            let at = (at - 0.5).clamp(0.0, (cells - 1) as f32);
-            let low = (at as usize).min(cells - 2);
-            (low, at - low as f32)
-        };
-        let ((h, th), (d, td)) = (clamped(h, CELLS[0]), clamped(d, diff));
+        let ((h, th), (d, td)) = (between(h, CELLS[0]), between(d, diff));
         // φ_diff goes round.
         let at = p + (phi as f32 - 0.5);
         let low = at as usize;
@@ -158,6 +153,14 @@ impl Table {
         }
         Rgb([sum[0], sum[1], sum[2]]) * (1.0 / sum[3])
     }
+}
+
+/// The first of the two cells around a place in units of cells, and the weight of the second; the edges repeat.
+#[inline(always)]
+pub(super) fn between(at: f32, cells: usize) -> (usize, f32) {
+    let at = (at - 0.5).clamp(0.0, (cells - 1) as f32);
+    let low = (at as usize).min(cells - 2);
+    (low, at - low as f32)
 }
 
 /// The pairs in the middles of all cells, φ_diff running fastest; some lie below the horizon.

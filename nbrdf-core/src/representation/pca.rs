@@ -3,15 +3,41 @@
 //! The eigenvectors of the small Gram matrix give the components (Turk and Pentland 1991, section 2), so that neither a
 //! covariance nor an SVD of the long side is ever formed. Products are summed in f32 over short pieces, these in f64.
 
+mod pieces;
+
 use faer::{Mat, Side};
 use rayon::prelude::*;
 
+use super::values::Values;
+
 /// Mean and orthonormal components.
 pub struct Pca {
-    /// Mean of the training vectors.
+    /// The vector whose coordinates are 0: the mean of the training vectors, or another [`Centre`] of theirs.
     pub mean: Vec<f32>,
     /// Components, largest variance first, each as long as the mean.
     pub components: Vec<Vec<f32>>,
+}
+
+/// About what components are learned.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Centre {
+    /// The mean: components of largest variance.
+    Mean,
+    /// The median, number by number, of values of this kind: components of largest mean square about it.
+    Median(Values),
+}
+
+impl Centre {
+    /// Of rows of equal length; there is at least one.
+    fn of(self, rows: &[Vec<f32>]) -> Vec<f32> {
+        let Self::Median(values) = self else { return mean(rows) };
+        let middle = |column: usize| {
+            let mut sorted: Vec<f32> = rows.iter().map(|row| row[column]).collect();
+            sorted.sort_unstable_by(f32::total_cmp);
+            values.median(&sorted)
+        };
+        (0..rows[0].len()).into_par_iter().map(middle).collect()
+    }
 }
 
 /// Why components could not be learned.
@@ -32,28 +58,19 @@ pub enum PcaError {
 
 impl Pca {
     /// Learns `count` components from `rows` of equal length.
-    pub fn learn(mut rows: Vec<Vec<f32>>, count: usize) -> Result<Self, PcaError> {
-        let n = rows.len();
-        if n <= count {
-            return Err(PcaError::TooFew { components: count, found: n });
-        }
-        let mean = mean(&rows);
-        rows.par_iter_mut().for_each(|row| row.iter_mut().zip(&mean).for_each(|(v, m)| *v -= m));
-        let gram: Vec<Vec<f64>> =
-            (0..n).into_par_iter().map(|i| (0..=i).map(|j| dot(&rows[i], &rows[j])).collect()).collect();
-        let gram = Mat::from_fn(n, n, |i, j| gram[i.max(j)][i.min(j)]);
-        let eigen = gram.self_adjoint_eigen(Side::Lower).map_err(|_| PcaError::NoConvergence)?;
-        let components = (0..count)
-            .into_par_iter()
-            .map(|k| {
-                // faer sorts eigenvalues upwards
-                let column = n - 1 - k;
-                let scale = 1.0 / eigen.S().column_vector()[column].max(1e-30).sqrt();
-                let weights: Vec<f32> = (0..n).map(|i| (eigen.U()[(i, column)] * scale) as f32).collect();
-                with_fixed_sign(combine(&vec![0.0; mean.len()], &weights, &rows))
-            })
-            .collect();
-        Ok(Self { mean, components })
+    pub fn learn(rows: Vec<Vec<f32>>, count: usize) -> Result<Self, PcaError> {
+        Self::learn_about(rows, Centre::Mean, count)
+    }
+
+    /// As [`learn`](Self::learn), about another centre.
+    pub fn learn_about(mut rows: Vec<Vec<f32>>, centre: Centre, count: usize) -> Result<Self, PcaError> {
+        check_count(rows.len(), count)?;
+        let mean = centre.of(&rows);
+        subtract(&mut rows, &mean);
+        let weights = component_weights(&gram(&rows), count)?;
+        let zero = vec![0.0; mean.len()];
+        let component = |weights: &Vec<f32>| with_fixed_sign(combine(&zero, weights, &rows));
+        Ok(Self { components: weights.par_iter().map(component).collect(), mean })
     }
 
     /// Bytes of mean and components.
@@ -71,6 +88,33 @@ impl Pca {
     pub fn reconstruct(&self, code: &[f32]) -> Vec<f32> {
         combine(&self.mean, code, &self.components)
     }
+}
+
+fn check_count(found: usize, components: usize) -> Result<(), PcaError> {
+    if found > components { Ok(()) } else { Err(PcaError::TooFew { components, found }) }
+}
+
+fn subtract(rows: &mut [Vec<f32>], mean: &[f32]) {
+    rows.par_iter_mut().for_each(|row| row.iter_mut().zip(mean).for_each(|(v, m)| *v -= m));
+}
+
+/// Products of all rows with each other, row i with rows 0..=i.
+fn gram(rows: &[Vec<f32>]) -> Vec<Vec<f64>> {
+    (0..rows.len()).into_par_iter().map(|i| (0..=i).map(|j| dot(&rows[i], &rows[j])).collect()).collect()
+}
+
+/// What every row counts in each of the first `count` components, from the products of all rows.
+fn component_weights(gram: &[Vec<f64>], count: usize) -> Result<Vec<Vec<f32>>, PcaError> {
+    let n = gram.len();
+    let gram = Mat::from_fn(n, n, |i, j| gram[i.max(j)][i.min(j)]);
+    let eigen = gram.self_adjoint_eigen(Side::Lower).map_err(|_| PcaError::NoConvergence)?;
+    let weights = |k: usize| {
+        // faer sorts eigenvalues upwards
+        let column = n - 1 - k;
+        let scale = 1.0 / eigen.S().column_vector()[column].max(1e-30).sqrt();
+        (0..n).map(|i| (eigen.U()[(i, column)] * scale) as f32).collect()
+    };
+    Ok((0..count).map(weights).collect())
 }
 
 /// Eigenvectors come with either sign; this one's largest number is positive.

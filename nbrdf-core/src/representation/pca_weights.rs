@@ -19,7 +19,7 @@ impl PcaWeights {
         let published = networks.filter(|network| network.hidden() == PUBLISHED_HIDDEN);
         let rows = published.map(|network| network.weights().to_vec()).collect();
         let pca = Pca::learn(rows, count)?;
-        let checkpoint = checkpoint_of(training, count);
+        let checkpoint = checkpoint_of(training, &[count]);
         Ok(Self { pca, checkpoint })
     }
 
@@ -59,11 +59,12 @@ impl Representation for PcaWeights {
     }
 }
 
-/// Hash of what a basis is learned from. Not of the basis: its last digits differ between kinds of processors, and a
+/// Hash of what a basis is learned from, and how. Not of the basis: its last digits differ between kinds of processors, and a
 /// code should be read on all of them.
-pub(super) fn checkpoint_of(training: &[Material], count: usize) -> String {
+pub(super) fn checkpoint_of(training: &[Material], options: &[usize]) -> String {
     let networks = training.iter().filter_map(|material| material.network.as_ref());
-    short_hash(networks.flat_map(|network| network.weights().iter().copied()).chain([count as f32]))
+    let options = options.iter().map(|&option| option as f32);
+    short_hash(networks.flat_map(|network| network.weights().iter().copied()).chain(options))
 }
 
 /// The material's network of the published shape, or the reason why there is none.
