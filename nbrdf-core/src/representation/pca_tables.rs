@@ -60,7 +60,12 @@ impl PcaTables {
         let pca = match grid {
             Grid::Coarse => {
                 let table = |material: &Material| ValueTable::tabulate(material.brdf.as_ref(), values, grid);
-                Pca::learn_about(training.iter().map(table).collect(), centre, components)?
+                let rows = training.iter().map(table).collect();
+                match values {
+                    Values::Log => Pca::learn(rows, components)?,
+                    // Highlights of thousands beside a body of tenths.
+                    Values::Plain | Values::LogRelative => Pca::learn_about(rows, centre, components)?,
+                }
             }
             Grid::Merl => {
                 let piece = |material: usize, at: std::ops::Range<usize>| {

@@ -4,7 +4,9 @@ use std::ops::Range;
 
 use rayon::prelude::*;
 
-use super::{Centre, Pca, PcaError, check_count, combine, component_weights, gram, subtract, with_fixed_sign};
+use super::{
+    Centre, Pca, PcaError, check_count, combine, component_weights, dot_double, gram, subtract, with_fixed_sign,
+};
 
 /// Numbers of each vector held at a time: 1.6 MB. A multiple of 3, so that cells stay whole.
 const PIECE: usize = 3 << 17;
@@ -32,7 +34,7 @@ impl Pca {
             let own = centre.of(&rows);
             subtract(&mut rows, &own);
             mean.extend(own);
-            for (sums, products) in products.iter_mut().zip(gram(&rows)) {
+            for (sums, products) in products.iter_mut().zip(gram(&rows, dot_double)) {
                 sums.iter_mut().zip(products).for_each(|(sum, product)| *sum += product);
             }
         }
@@ -46,6 +48,7 @@ impl Pca {
                 component.extend(combine(&zero, weights, &rows));
             }
         }
-        Ok(Self { components: components.into_iter().map(with_fixed_sign).collect(), mean })
+        let components = components.into_iter().map(with_fixed_sign).collect();
+        Ok(Self { components, mean }.orthonormal())
     }
 }
