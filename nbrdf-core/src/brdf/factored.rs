@@ -50,8 +50,8 @@ pub struct Factored {
 impl Factored {
     /// From the factors of red, green and blue.
     pub fn new(channels: &[Factors; 3]) -> Self {
-        // Also of NaN, which `clamp` would keep.
-        let read = |number: f32| number.max(0.0).min(LARGEST);
+        // NaN is not above 0 either.
+        let read = |number: f32| if number > 0.0 { number.min(LARGEST) } else { 0.0 };
         let entry = |of: &dyn Fn(&Factors) -> f32| {
             let [r, g, b] = channels.each_ref().map(|factors| read(of(factors)));
             [r, g, b, 0.0]

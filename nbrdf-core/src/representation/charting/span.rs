@@ -23,7 +23,7 @@ impl Span {
         let pca = Pca::learn(tables.clone(), training.len().saturating_sub(1))?;
         let training_at = tables.iter().map(|table| coordinates(&pca, table)).collect();
         let names = training.iter().map(|material| material.name.clone()).collect();
-        Ok(Self { pca, training: training_at, names, checkpoint: checkpoint_of(training, 0) })
+        Ok(Self { pca, training: training_at, names, checkpoint: checkpoint_of(training, &[0]) })
     }
 
     /// Coordinates of the training materials, largest variance first.

@@ -1,0 +1,146 @@
+//! The ways to store a material, in the order of reports.
+
+use std::sync::Arc;
+
+use anyhow::Result;
+use nbrdf_core::nbrdf::PUBLISHED_HIDDEN;
+use nbrdf_core::nbrdf::precision::Precision;
+use nbrdf_core::representation::analytic::{
+    AbcLobe, Analytic, BlinnPhongLobe, GgxLobe, LambertAlone, Parametric, SgdLobes, WardLobe,
+};
+use nbrdf_core::representation::factored_microfacet::FactoredMicrofacet;
+use nbrdf_core::representation::network::Network;
+use nbrdf_core::representation::pca_tables::PcaOptions;
+use nbrdf_core::representation::refined::Refined;
+use nbrdf_core::representation::table::Tables;
+
+use super::twin::{WithNetwork, shared_start_network};
+use super::{Catalog, RepresentationEntry, Shared, Variant};
+
+type Build = fn(&Catalog) -> Result<Shared>;
+
+/// Every representation. A name's first line is its plain form, a `Refined` line its refined one.
+pub const REPRESENTATIONS: &[RepresentationEntry] = &[
+    entry(
+        "znbrdf",
+        Variant::Unrolled,
+        "ZNBRDF: probe encoder and three steps, colour channels treated alike",
+        |catalog| Ok(catalog.znbrdf()),
+    ),
+    entry("znbrdf", Variant::FeedForward, "ZNBRDF's probe encoder alone", |catalog| Ok(catalog.autoencoder())),
+    entry("znbrdf", Variant::Refined, "ZNBRDF, its code refined against the target", |catalog| Ok(catalog.refined())),
+    entry(
+        "published_autoencoder",
+        Variant::FeedForward,
+        "675-675-32-100-675 over flattened weights (Sztrajman et al. 2021)",
+        |catalog| Ok(catalog.published()),
+    ),
+    entry("pca_tables", Variant::Projection, "PCA of ln(f cos + 0.001) tables, 32 components", |catalog| {
+        Ok(catalog.pca(PcaOptions::PROTOCOL)?)
+    }),
+    entry("pca_tables", Variant::Refined, "PCA of log tables, its code refined against the target", |catalog| {
+        Ok(Arc::new(Refined::new(catalog.pca(PcaOptions::PROTOCOL)?)))
+    }),
+    entry(
+        "pca_45",
+        Variant::Projection,
+        "PCA of ln(f cos + 0.001) tables, 45 components (Matusik et al. 2003)",
+        |catalog| Ok(catalog.pca(PcaOptions::LOG_45)?),
+    ),
+    entry(
+        "pca_plain_45",
+        Variant::Projection,
+        "PCA of f cos tables, 45 components: what logarithms are for",
+        |catalog| Ok(catalog.pca(PcaOptions::PLAIN_45)?),
+    ),
+    entry(
+        "pca_relative_45",
+        Variant::Projection,
+        "PCA of log tables relative to the median, 45 components (Nielsen et al. 2015)",
+        |catalog| Ok(catalog.pca(PcaOptions::RELATIVE_45)?),
+    ),
+    entry("pca_weights", Variant::Projection, "PCA of shared-start weights", |catalog| Ok(catalog.pca_weights()?)),
+    entry(
+        "charting_15",
+        Variant::Projection,
+        "place on the manifold of log tables, 15 numbers (Brand 2002, Matusik et al. 2003)",
+        |catalog| Ok(catalog.charting_15()?),
+    ),
+    entry("charting_2", Variant::Projection, "place on the manifold of log tables, 2 numbers: a map", |catalog| {
+        Ok(catalog.charting_2()?)
+    }),
+    entry(
+        "linear_combination",
+        Variant::Projection,
+        "sum of the measured training materials (Matusik et al. 2003)",
+        |catalog| Ok(catalog.linear_combination()?),
+    ),
+    entry("linear_combination_800", Variant::Projection, "the same sum, found from 800 random samples", |catalog| {
+        Ok(catalog.linear_combination_800()?)
+    }),
+    entry(
+        "optimal_sampling_20",
+        Variant::Projection,
+        "reflectance in 20 chosen directions (Nielsen et al. 2015)",
+        |catalog| Ok(catalog.optimal_sampling_20()?),
+    ),
+    entry("optimal_sampling_5", Variant::Projection, "reflectance in 5 chosen directions", |catalog| {
+        Ok(catalog.optimal_sampling_5()?)
+    }),
+    entry("nbrdf", Variant::Fitted, "NBRDF: a 6-21-21-3 network of its own, fitted from the shared start", |_| {
+        Ok(own_network("nbrdf", Precision::Single))
+    }),
+    entry("nbrdf_half", Variant::Fitted, "NBRDF, weights in half precision", |_| {
+        Ok(own_network("nbrdf_half", Precision::Half))
+    }),
+    entry("nbrdf_byte", Variant::Fitted, "NBRDF, weights in bytes with a scale for each unit", |_| {
+        Ok(own_network("nbrdf_byte", Precision::Byte))
+    }),
+    entry("nbrdf_10", Variant::Fitted, "a 6-10-10-3 network of its own", |_| {
+        Ok(Arc::new(Network::new("nbrdf_10", [10, 10], Precision::Single)))
+    }),
+    entry("nbrdf_32", Variant::Fitted, "a 6-32-32-3 network of its own", |_| {
+        Ok(Arc::new(Network::new("nbrdf_32", [32, 32], Precision::Single)))
+    }),
+    formula::<LambertAlone>("a diffuse base alone: 3 numbers"),
+    formula::<BlinnPhongLobe>("a base under a Blinn-Phong lobe, Fresnel free: 10 numbers"),
+    formula::<WardLobe>("a base under Ward's lobe of bounded albedo: 7 numbers"),
+    formula::<GgxLobe>("a base under a GGX lobe, Fresnel free: 10 numbers"),
+    formula::<AbcLobe>("a base under an ABC lobe: 9 numbers"),
+    formula::<SgdLobes>("the shifted gamma distribution, every channel on its own: 30 numbers"),
+    entry(
+        "factored_microfacet",
+        Variant::Fitted,
+        "a microfacet lobe with tables for D, F and G (Bagher et al. 2016)",
+        |_| Ok(Arc::new(FactoredMicrofacet)),
+    ),
+    entry(
+        "table_nearest",
+        Variant::Tabulated,
+        "90 x 90 x 180 cells over half and difference angles, the nearest one",
+        |_| Ok(Arc::new(Tables::NEAREST)),
+    ),
+    entry("table", Variant::Tabulated, "the same, interpolated", |_| Ok(Arc::new(Tables::TRILINEAR))),
+    entry("table_half", Variant::Tabulated, "the same in 16 bits, interpolated", |_| Ok(Arc::new(Tables::HALF))),
+    entry(
+        "table_standard",
+        Variant::Tabulated,
+        "as many cells over the angles of light and view, interpolated",
+        |_| Ok(Arc::new(Tables::STANDARD)),
+    ),
+];
+
+const fn entry(name: &'static str, variant: Variant, about: &'static str, build: Build) -> RepresentationEntry {
+    RepresentationEntry { name, variant, about, build }
+}
+
+/// A formula, fitted.
+const fn formula<P: Parametric>(about: &'static str) -> RepresentationEntry {
+    entry(P::NAME, Variant::Fitted, about, |_| Ok(Arc::new(Analytic::<P>::new())))
+}
+
+/// Networks of the published widths, fitted from the shared start.
+fn own_network(name: &'static str, precision: Precision) -> Shared {
+    let inner = Network::new(name, PUBLISHED_HIDDEN, precision);
+    Arc::new(WithNetwork { inner, source: shared_start_network })
+}
