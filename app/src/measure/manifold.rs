@@ -7,7 +7,7 @@ use anyhow::Result;
 use nbrdf_core::metric::{LogError, Metric as _, Spread, albedo_max, negative_share};
 use nbrdf_core::representation::charting::distortion::{Distortion, geodesics};
 use nbrdf_core::representation::charting::{Charting, Span};
-use nbrdf_core::representation::log_table::{LogTable, TABLE_LEN};
+use nbrdf_core::representation::log_table::{self, TABLE_LEN};
 use nbrdf_core::{Brdf, Material};
 use rayon::prelude::*;
 use serde::Serialize;
@@ -117,7 +117,7 @@ impl<'a> Placed<'a> {
     pub fn measure(&self, coordinates: &Coordinates, pairs: &[(usize, usize)]) -> Result<Row> {
         let found: Vec<Vec<f64>> = self.places.iter().map(|place| coordinates.forward(place)).collect();
         let back = |at: &[f64]| coordinates.backward(at, self.span.training().len() - 1);
-        let decoded = |place: &[f64]| LogTable::new(self.span.reconstruct(place));
+        let decoded = |place: &[f64]| log_table::table(self.span.reconstruct(place));
         let errors = (0..found.len()).filter(|&i| self.held_out[i]).map(|i| {
             progress::check()?;
             let place = back(&found[i]);

@@ -3,6 +3,8 @@
 //! W. Matusik et al., *A Data-Driven Reflectance Model* (2003), section 3: θ_half spaced by the square root, the others
 //! evenly; reciprocity folds φ_diff to 0..π. Cells hold the value at their middle; looked up nearest or interpolated.
 
+mod gaps;
+
 use std::f32::consts::{FRAC_PI_2, PI};
 use std::sync::OnceLock;
 
@@ -26,9 +28,6 @@ pub enum Lookup {
     /// Linear between the eight cells around, clamped at the ends of θ_half and θ_diff.
     Trilinear,
 }
-
-/// How much a cell counts whose value was not measured: only where there is nothing else.
-const FILLED: f32 = 1e-6;
 
 /// Numbers in memory.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -72,27 +71,14 @@ impl Table {
         Self::of_cells(at.iter().zip(values).map(|(at, value)| at.is_above().then_some(value)), lookup)
     }
 
-    /// From the values of cells, φ_diff running fastest; `None` was not measured. Such a cell repeats its neighbour towards
-    /// smaller θ_half (else θ_diff, else φ_diff), and counts in an interpolation only where no measured one is near: what
-    /// is next to a gap or the horizon mixes in nothing made up.
+    /// From the values of cells, φ_diff running fastest; `None` was not measured. Such a cell repeats the nearest that was,
+    /// and counts in an interpolation only where no measured one is near: what is next to a gap or the horizon mixes in
+    /// nothing made up.
     ///
     /// # Panics
     /// If there are not as many as [`CELLS`] says (a bug of the caller).
     pub fn of_cells(values: impl Iterator<Item = Option<Rgb>>, lookup: Lookup) -> Self {
-        let [half, diff, phi] = CELLS;
-        let mut cells: Vec<[f32; 4]> = Vec::with_capacity(half * diff * phi);
-        for (index, value) in values.enumerate() {
-            let before = match index {
-                0 => None,
-                _ if index >= diff * phi => Some(index - diff * phi),
-                _ if index >= phi => Some(index - phi),
-                _ => Some(index - 1),
-            };
-            let [r, g, b, _] = before.map_or([0.0; 4], |before| cells[before]);
-            cells.push(value.map_or([r, g, b, FILLED], |Rgb([r, g, b])| [r, g, b, 1.0]));
-        }
-        assert_eq!(cells.len(), half * diff * phi, "cells of a table");
-        Self { lookup, cells: Cells::Single(cells) }
+        Self { lookup, cells: Cells::Single(gaps::bridged(values.map(|value| value.map(|Rgb(rgb)| rgb)))) }
     }
 
     /// The same table in more or less memory; in half precision f_r is 65504 at most.

@@ -28,7 +28,7 @@ use std::sync::Arc;
 pub use atlas::{Atlas, Options};
 pub use span::Span;
 
-use super::log_table::LogTable;
+use super::log_table;
 use super::{Code, DecodeError, EncodeError, Representation};
 use crate::{Brdf, Material};
 
@@ -113,6 +113,6 @@ impl Representation for Charting {
     fn decode(&self, code: &Code) -> Result<Box<dyn Brdf>, DecodeError> {
         let code = code.checked(self.name, &self.checkpoint, self.dim())?;
         let coordinates: Vec<f64> = code.iter().map(|&x| f64::from(x)).collect();
-        Ok(Box::new(LogTable::new(self.span.reconstruct(&self.atlas.backward(&coordinates)))))
+        Ok(Box::new(log_table::table(self.span.reconstruct(&self.atlas.backward(&coordinates)))))
     }
 }

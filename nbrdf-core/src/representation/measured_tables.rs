@@ -5,14 +5,15 @@ use std::collections::BTreeSet;
 use rand::RngExt;
 use rayon::prelude::*;
 
-use super::log_table::{LogTable, TABLE_LEN, cells, measurable};
+use super::log_table::{self, TABLE_LEN, cells, measurable};
+use super::value_table::ValueTable;
 use crate::hash::short_hash;
 use crate::{Brdf, Material, Rgb};
 
 /// Cells that a thread takes at once.
 const PIECE: usize = 4096;
 
-/// [`LogTable`]s of the training materials.
+/// [`log_table`]s of the training materials.
 pub struct MeasuredTables {
     tables: Vec<Vec<f32>>,
     hash: String,
@@ -42,7 +43,7 @@ impl MeasuredTables {
             return Err(BasisError::TooFew(training.len()));
         }
         let tables: Vec<Vec<f32>> =
-            training.par_iter().map(|material| LogTable::tabulate(material.brdf.as_ref())).collect();
+            training.par_iter().map(|material| log_table::tabulate(material.brdf.as_ref())).collect();
         let broken = tables.iter().zip(training).find(|(table, _)| table.iter().any(|v| !v.is_finite()));
         if let Some((_, material)) = broken {
             return Err(BasisError::NotFinite(material.name.clone()));
@@ -61,7 +62,7 @@ impl MeasuredTables {
     ///
     /// # Panics
     /// If there are not three for each table (a bug of the caller).
-    pub fn combine(&self, coefficients: &[f32]) -> LogTable {
+    pub fn combine(&self, coefficients: &[f32]) -> ValueTable {
         assert_eq!(coefficients.len(), 3 * self.tables.len(), "three coefficients for each material");
         let mut out = vec![0.0; TABLE_LEN];
         out.par_chunks_mut(3 * PIECE).enumerate().for_each(|(piece, out)| {
@@ -72,7 +73,7 @@ impl MeasuredTables {
                 }
             }
         });
-        LogTable::new(out)
+        log_table::table(out)
     }
 
     /// Bytes of all tables.
@@ -91,7 +92,7 @@ pub fn measure(material: &dyn Brdf, at_cells: &[usize]) -> Vec<Rgb> {
     let grid = cells();
     let at: Vec<_> = at_cells.iter().map(|&cell| grid[cell]).collect();
     let values = crate::sampling::evaluate(material, &at);
-    at.into_iter().zip(values).map(|(at, f)| LogTable::stored(at, f)).collect()
+    at.into_iter().zip(values).map(|(at, f)| log_table::stored(at, f)).collect()
 }
 
 /// `count` different cells that are above the horizon, all equally likely, in rising order; all of them where there are
@@ -145,7 +146,7 @@ pub(crate) mod tests {
     #[test]
     fn what_is_measured_is_what_a_table_holds() {
         let material = &glossy(3)[1];
-        let (table, chosen) = (LogTable::tabulate(material.brdf.as_ref()), random_cells(50, 1));
+        let (table, chosen) = (log_table::tabulate(material.brdf.as_ref()), random_cells(50, 1));
         for (cell, measured) in chosen.iter().zip(measure(material.brdf.as_ref(), &chosen)) {
             assert!((0..3).all(|channel| (table[3 * cell + channel] - measured[channel]).abs() < 1e-5));
         }

@@ -21,8 +21,8 @@ use design::{Criterion, posterior};
 use directions::choose;
 use faer::Mat;
 
-use super::log_table::LogTable;
 use super::measured_tables::measure;
+use super::value_table::ValueTable;
 use super::{Code, DecodeError, EncodeError, Representation};
 use crate::hash::short_hash;
 use crate::{Brdf, Material, Rgb};
@@ -75,7 +75,7 @@ impl Reconstruction {
     ///
     /// # Panics
     /// If there is not one value per cell (a bug of the caller).
-    pub fn reconstruct(&self, measured: &[Rgb]) -> LogTable {
+    pub fn reconstruct(&self, measured: &[Rgb]) -> ValueTable {
         self.basis.table(&self.coefficients(measured))
     }
 }

@@ -126,16 +126,16 @@ impl Warp {
         for (values, integrals) in
             density.values.chunks_exact_mut(rows * columns).zip(along_rows.chunks_exact_mut(rows * columns))
         {
-            let mut whole = vec![0.0f64; rows];
-            for row in 0..rows {
+            let along = |(values, integrals): (&[f32], &mut [f32])| {
                 let mut sum = 0.0f64;
-                for column in 1..columns {
-                    let at = row * columns + column;
-                    sum += 0.5 * f64::from(values[at - 1] + values[at]);
-                    integrals[at] = sum as f32;
+                for (pair, integral) in values.windows(2).zip(&mut integrals[1..]) {
+                    sum += 0.5 * f64::from(pair[0] + pair[1]);
+                    *integral = sum as f32;
                 }
-                whole[row] = sum;
-            }
+                sum
+            };
+            let whole: Vec<f64> =
+                values.chunks_exact(columns).zip(integrals.chunks_exact_mut(columns)).map(along).collect();
             let mut sum = 0.0f64;
             let mut rising = vec![0.0f64; rows];
             for row in 1..rows {

@@ -3,7 +3,7 @@
 use super::Options;
 use crate::Material;
 use crate::representation::EncodeError;
-use crate::representation::log_table::LogTable;
+use crate::representation::log_table;
 use crate::representation::pca::{Pca, PcaError};
 use crate::representation::pca_weights::checkpoint_of;
 
@@ -19,7 +19,7 @@ impl Span {
     /// Of these materials.
     pub fn learn(training: &[Material]) -> Result<Self, PcaError> {
         let tables: Vec<Vec<f32>> =
-            training.iter().map(|material| LogTable::tabulate(material.brdf.as_ref())).collect();
+            training.iter().map(|material| log_table::tabulate(material.brdf.as_ref())).collect();
         let pca = Pca::learn(tables.clone(), training.len().saturating_sub(1))?;
         let training_at = tables.iter().map(|table| coordinates(&pca, table)).collect();
         let names = training.iter().map(|material| material.name.clone()).collect();
@@ -38,7 +38,7 @@ impl Span {
 
     /// Coordinates of the point of the span nearest to a material's table; the first few are its PCA code of that size.
     pub fn project(&self, target: &Material) -> Result<Vec<f64>, EncodeError> {
-        let table = LogTable::tabulate(target.brdf.as_ref());
+        let table = log_table::tabulate(target.brdf.as_ref());
         if table.iter().any(|v| !v.is_finite()) {
             return Err(EncodeError::NotFinite { material: target.name.clone() });
         }

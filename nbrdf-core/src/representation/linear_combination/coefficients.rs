@@ -5,7 +5,7 @@ use std::sync::Arc;
 use faer::Mat;
 use rayon::prelude::*;
 
-use super::super::log_table::{LogTable, corners, interpolated};
+use super::super::log_table::{self, corners, interpolated};
 use super::super::measured_tables::{BasisError, MeasuredTables};
 use crate::linear_system::LinearSystem;
 use crate::nbrdf::objective::DARKEST;
@@ -135,7 +135,7 @@ impl Coefficients {
                     Domain::Logarithm => *out,
                     Domain::Reflectance => out.map(|v| (v.max(0.0) + DARKEST).ln()),
                 };
-                *out = LogTable::restored(at, sum).map(|f| f.max(0.0));
+                *out = log_table::restored(at, sum).map(|f| f.max(0.0));
             }
         });
         out

@@ -1,15 +1,16 @@
 //! Principal components of all channels of all materials, relative to the median: the log-relative mapping.
 //!
 //! J. B. Nielsen, H. W. Jensen, R. Ramamoorthi (2015): ρ ↦ ln((ρ c + ε) / (ρ_med c + ε)) with ε = 10⁻³, a row for each
-//! channel of each material, components scaled by their singular values. Differs: c = max(cos θ_i, 0.05) of [`LogTable`]
+//! channel of each material, components scaled by their singular values. Differs: c = max(cos θ_i, 0.05) of [`log_table`]
 //! for their product of both cosines, so that logarithms of tables are all that is needed.
 
 use faer::Mat;
 use rayon::prelude::*;
 
-use super::super::log_table::{LogTable, TABLE_LEN, corners, measurable, sources};
+use super::super::log_table::{self, TABLE_LEN, corners, measurable, sources};
 use super::super::measured_tables::{BasisError, MeasuredTables};
 use super::super::pca::{Pca, PcaError};
+use super::super::value_table::ValueTable;
 use crate::{Directions, Rgb};
 
 /// Cells that a thread takes at once.
@@ -111,7 +112,7 @@ impl LogRelative {
         assert!(coefficients.iter().all(|own| own.len() == self.components), "one coefficient per component");
         let one = |((&at, &base), loadings): ((&Directions, &f32), &[f32])| {
             let stored = coefficients.each_ref().map(|own| base + dot(loadings, own));
-            LogTable::restored(at, Rgb(stored)).map(|f| f.max(0.0))
+            log_table::restored(at, Rgb(stored)).map(|f| f.max(0.0))
         };
         let pairs = seen.at.par_iter().zip(&seen.base).zip(seen.loadings.par_chunks(self.components));
         pairs.map(one).collect()
@@ -121,7 +122,7 @@ impl LogRelative {
     ///
     /// # Panics
     /// If there is not one coefficient per component (a bug of the caller).
-    pub fn table(&self, coefficients: &[Vec<f32>; 3]) -> LogTable {
+    pub fn table(&self, coefficients: &[Vec<f32>; 3]) -> ValueTable {
         assert!(coefficients.iter().all(|own| own.len() == self.components), "one coefficient per component");
         let mut values = vec![0.0; TABLE_LEN];
         values.par_chunks_mut(3 * PIECE).enumerate().for_each(|(piece, values)| {
@@ -131,7 +132,7 @@ impl LogRelative {
                 *value = coefficients.each_ref().map(|own| self.base(cell) + dot(loadings, own));
             }
         });
-        LogTable::new(values)
+        log_table::table(values)
     }
 }
 

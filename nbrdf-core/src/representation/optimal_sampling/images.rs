@@ -7,7 +7,7 @@
 use faer::Mat;
 use rayon::prelude::*;
 
-use super::super::log_table::LogTable;
+use super::super::log_table;
 use super::basis::LogRelative;
 use super::design::{Criterion, posterior};
 use crate::nbrdf::samples::Samples;
@@ -101,7 +101,7 @@ impl<'a> SphereImages<'a> {
         let k = self.basis.components();
         let mut slopes = Mat::zeros(k, 3);
         for picture in taken.iter().map(|&picture| &self.pictures[picture]) {
-            let seen = picture.at.iter().zip(evaluate(material, &picture.at)).map(|(&at, f)| LogTable::stored(at, f));
+            let seen = picture.at.iter().zip(evaluate(material, &picture.at)).map(|(&at, f)| log_table::stored(at, f));
             let seen: Vec<_> = seen.collect();
             let rest = Mat::from_fn(seen.len(), 3, |row, channel| f64::from(seen[row][channel]) - picture.base[row]);
             slopes += picture.rows.transpose() * rest;
