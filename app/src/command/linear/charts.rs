@@ -24,8 +24,8 @@ pub(super) fn unphysical(kinds: &[Kind]) -> LineChart {
     let last = |values: Values| kinds.iter().find(|kind| kind.values == values)?.rows.last();
     let figure =
         |values: Values, share: fn(&Group) -> f64| last(values).map_or(f64::NAN, |row| 100.0 * share(&row.drawn));
-    let (negative, violating): (fn(&Group) -> f64, fn(&Group) -> f64) =
-        (|group| group.negative, |group| group.violating);
+    let negative: fn(&Group) -> f64 = |group| group.negative;
+    let violating: fn(&Group) -> f64 = |group| group.violating;
     LineChart {
         title: format!(
             "Of what PCA spans, {:.0} % is negative in plain values; of logarithms {:.0} % makes light from nothing",
