@@ -36,7 +36,6 @@ steps=$("$nbrdf" train --library "$NBRDF_DATA/merl_nbrdf.zip" --seed 0 -o "$out/
 "$python" -c "print('{\"schema\": 1, \"steps\": $steps, \"seconds\": %.1f}' % ($(date +%s.%N) - $start))" > "$out/training.json"
 
 "$nbrdf" sampling -o docs/images/sampling.svg --json > "$out/sampling.json"
-"$nbrdf" linear -o docs/images/linear.svg --ranks docs/images/ranks.svg --json > "$out/linear.json"
 for sampler in cosine lobe; do
     "$nbrdf" render chrome --environment softboxes --samples 16 --size 256 --sampler "$sampler" --quiet \
         -o "docs/images/chrome-$sampler.png"

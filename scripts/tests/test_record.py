@@ -4,6 +4,7 @@ import pytest
 
 import record_ablation
 import record_seeds
+import record_sizes
 
 
 def report(error, order=1, split="held_out"):
@@ -48,3 +49,14 @@ def test_an_ablation_holds_pca_once_and_znbrdf_for_every_length(tmp_path):
     ]  # fmt: skip
     (tmp_path / "empty").mkdir()
     assert record_ablation.main([str(tmp_path / "empty")], out) == 3
+
+
+def test_codes_of_every_length_are_recorded_by_rising_length(tmp_path):
+    for dim, error in ((32, 1.0), (4, 3.0)):
+        (tmp_path / f"size-{dim}.json").write_text(json.dumps(report(error)))
+    out = tmp_path / "out.json"
+    assert record_sizes.main([str(tmp_path), "8000"], out) == 0
+    recorded = json.loads(out.read_text())
+    assert [(row["dim"], row["unrolled"]["log_error"], row["refined"]["log_error"]) for row in recorded["rows"]] == [(4, 3.0, 1.5), (32, 1.0, 0.5)]
+    (tmp_path / "empty").mkdir()
+    assert record_sizes.main([str(tmp_path / "empty"), "8000"], out) == 3

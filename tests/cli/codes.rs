@@ -98,3 +98,18 @@ fn codes_of_another_length_model_or_checkpoint_exit_with_3() {
     place.run(&["decode", "missing.json", "-o", "x.npz"]).fails(3);
     assert!(place.names().is_empty());
 }
+
+#[test]
+fn codes_have_the_length_that_the_checkpoint_was_trained_for() {
+    let place = Place::new();
+    place.run(&["train", "--dim", "4", "--steps", "10", "-o", "four.safetensors", "--json"]).json();
+    let code = place.run(&["encode", "chrome", "--checkpoint", "four.safetensors"]).json();
+    assert_eq!(code["code"].as_array().unwrap().len(), 4);
+    place.write("four.json", code.to_string().as_bytes());
+    place.run(&["decode", "four.json", "-o", "x.npz", "--checkpoint", "four.safetensors"]).ok();
+    place.run(&["decode", "four.json", "-o", "y.npz"]).fails(3);
+    for refused in [&["--dim", "0"][..], &["--dim", "129"], &["--dim", "8", "--architecture", "published"]] {
+        place.run(&[&["train", "-o", "z.safetensors"], refused].concat()).fails(2);
+    }
+    assert_eq!(place.names(), ["four.json", "four.safetensors", "x.npz"]);
+}

@@ -1,0 +1,177 @@
+"""Writes docs/representations.md from the reports of scripts/make_representations.sh, so that no figure is typed by hand."""
+
+import json
+import sys
+from pathlib import Path
+
+from results_table import ROOT, number, table, thousands
+
+RGL = ("cc_ibiza_sunset", "cg_sunflower", "colodur_napoli_4f", "paper_white")
+CORNELL = ("cayman", "garnet_red", "krylon_blue")
+ERRORS = [
+    ("log_error", "log_error", 4), ("relative_log", "relative_log", 3), ("studio_psnr", "studio PSNR", 1),
+    ("studio_ssim", "SSIM", 3), ("studio_flip", "FLIP", 3), ("studio_delta_e_itp", "ΔE_ITP", 1),
+]
+
+
+def name(row: dict) -> str:
+    return f"`{row['name']}` {row['variant'].replace('_', '-')}"
+
+
+def errors(rows: list[dict]) -> str:
+    body = [[name(row), *(f"{number(row[key]['mean'], d)} ({number(row[key]['max'], d)})" for key, _, d in ERRORS)] for row in rows]
+    return table(["representation", *(title for _, title, _ in ERRORS)], body)
+
+
+def costs(rows: list[dict]) -> str:
+    body = [
+        [
+            name(row), thousands(row["bytes"]), number(row["shared_bytes"] / 1e6, 1), number(row["encode_s"]["median"] * 1e3, 1),
+            number(row["ns"], 1), number(row["ratio_to_reference_loop"], 2),
+            number(row["negative_share"]["max"], 4), number(row["albedo_max"]["max"], 3), number(row["reciprocity"]["max"], 4),
+        ]
+        for row in rows
+    ]
+    head = ["representation", "bytes", "shared MB", "encode ms", "ns", "× `reference_loop`", "negative share, worst", "albedo_max, worst", "reciprocity, worst"]
+    return table(head, body)
+
+
+def measured(folder: Path) -> str:
+    read = lambda stem: json.loads((folder / f"{stem}.json").read_text())
+    body = []
+    for stem in RGL:
+        own, published = read(stem)["error"], read(f"{stem}-published")["against"]["figures"]
+        ratio = own["log_error"] / published["log_error"]
+        body.append([stem, number(own["log_error"], 4), number(published["log_error"], 4), number(ratio, 2), number(own["studio_psnr"], 1), number(published["studio_psnr"], 1)])
+    head = ["RGL material", "log_error, our fit", "published network", "ratio", "studio PSNR, our fit", "published network"]
+    paints = []
+    for stem in CORNELL:
+        error = read(stem)["error"]
+        shares = (f"{100 * error[key]:.1f} %" for key in ("mean_relative_error", "of_lambert_ggx", "of_lambert"))
+        paints.append([stem, str(error["samples"]), str(error["judged"]), *shares])
+    return f"""{table(head, body)}
+
+Goniometer samples of three paints (Cornell): every tenth sample left out of the fit, mean relative error on these; beside
+it a GGX lobe with free Fresnel term over a diffuse base, and the base alone, fitted to the same samples
+(`nbrdf fit PAINT.brdf -o OUT.npz --leave-out 10`).
+
+{table(["paint", "fitted to", "judged by", "network", "GGX", "Lambert"], paints)}"""
+
+
+def lengths() -> str:
+    """Nothing where the record is not there."""
+    path = ROOT / "docs/sizes.json"
+    if not path.exists():
+        return ""
+    recorded = json.loads(path.read_text())
+    variants = ("feed_forward", "unrolled", "refined")
+    body = [
+        [str(row["dim"]), *(number(row[v]["log_error"], 4) for v in variants), *(number(row[v]["studio_psnr"], 1) for v in variants)]
+        for row in recorded["rows"]
+    ]
+    head = ["numbers", "log_error, encoder alone", "unrolled", "refined", "studio PSNR, encoder alone", "unrolled", "refined"]
+    return f"""## ZNBRDF codes of other lengths
+
+Separate checkpoints of {thousands(recorded['steps'])} steps each (the built-in one of 32 numbers has more), seed 0, means over the held-out MERL
+materials: `{recorded['command']}`, recorded in `docs/sizes.json`. Codes of fewer than 4 numbers are grey: channels that are treated alike need a
+number each.
+
+{table(head, body)}
+"""
+
+
+def main() -> int:
+    if len(sys.argv) != 2:
+        print(__doc__, file=sys.stderr)
+        return 2
+    folder = Path(sys.argv[1])
+    report = json.loads((folder / "representations.json").read_text())
+    text = {stem: (folder / f"{stem}.txt").read_text().rstrip() for stem in ("reconstruct", "linear", "manifold", "published_fits", "factored")}
+    merl, rgl = ([row for row in report["rows"] if row["database"] == database] for database in ("merl", "rgl"))
+    page = f"""# Every way to store a material, on the same bench
+
+Written by `scripts/make_representations.py`; these commands make every figure on this page again:
+
+    scripts/sizes.sh
+    scripts/make_representations.sh
+
+Errors are mean (worst) over held-out materials against the {report['reference']} networks, which stand for the measured tables;
+definitions as in [results.md](results.md). Representations that learn have seen the 80 training materials of MERL; fits see
+the material itself. `nbrdf` is a network fitted to the reference network, so that its rows tell what such a fit loses, and fewer bits on top.
+
+## Errors, {merl[0]['count']} held-out MERL materials
+
+{errors(merl)}
+
+## What they cost, and whether they could exist
+
+Bytes of one material, and what all share; time to encode one; time of one evaluation from a pair of directions on one thread
+(`reference_loop` is the plain loop over the network's weights; above 1 is faster), as in `nbrdf speed`. Negative share before the clamp at zero, the
+largest albedo, and how far from reciprocal: the worst of the materials.
+
+{costs(merl)}
+
+## Errors, {rgl[0]['count']} held-out RGL materials (nothing was learned from RGL)
+
+{errors(rgl)}
+
+## Networks against measured data
+
+RGL tables, read here as Mitsuba reads them (`nbrdf fit TABLE.bsdf -o OUT.npz`, 30 000 steps; `nbrdf info rgl/NAME --library
+rgl_nbrdf_subset.zip --against TABLE.bsdf`):
+
+{measured(folder / "measured")}
+
+## Formulas: published fits and ours
+
+`cargo run --release --workspace --example published_fits`: `log_error` against the published networks.
+
+```text
+{text['published_fits']}
+```
+
+Factored microfacet against the published SGD fit (`cargo test --release --workspace --test factored -- --nocapture`):
+
+```text
+{text['factored']}
+```
+
+## Few samples, few directions, few pictures
+
+`nbrdf reconstruct --draws 20`
+
+```text
+{text['reconstruct']}
+```
+
+![Error over the number of measurements](images/reconstruct.svg)
+
+## Where linear models turn unphysical, and why the half angle
+
+`nbrdf linear`
+
+```text
+{text['linear']}
+```
+
+![Shares of what PCA spans that cannot exist](images/linear.svg)
+
+![Singular values of tables in both frames](images/ranks.svg)
+
+## Charting
+
+`nbrdf manifold`
+
+```text
+{text['manifold']}
+```
+
+![A map of the materials](images/manifold.svg)
+
+{lengths()}"""
+    (ROOT / "docs/representations.md").write_text(page.rstrip() + "\n")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

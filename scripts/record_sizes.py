@@ -1,0 +1,35 @@
+"""How close codes of several lengths come: reports `size-DIM.json` of a folder in, docs/sizes.json out.
+
+    python3 scripts/record_sizes.py target/sizes STEPS      (steps that every checkpoint was trained for)
+"""
+
+import sys
+from pathlib import Path
+
+from records import KEYS, Invalid, numbered, read, write
+from results_table import ROOT
+
+
+def record(folder: Path, steps: int) -> dict:
+    """What docs/sizes.json holds: for every length the means of every variant over the held-out MERL materials."""
+    files = numbered(folder, "size")
+    if not files:
+        raise Invalid(f"{folder}: expected reports size-DIM.json, found none")
+    rows = []
+    for dim, file in files:
+        variants = {variant: figures for (_, variant, database), figures in read(file, "held_out").items() if database == "merl"}
+        if not variants:
+            raise Invalid(f"{file}: expected rows of MERL materials, found none")
+        rows.append({"dim": dim} | {variant: {key: figures[key] for key in KEYS} for variant, figures in variants.items()})
+    return {"schema": 1, "command": f"scripts/sizes.sh {steps}", "steps": steps, "rows": rows}
+
+
+def main(arguments: list[str], out: Path = ROOT / "docs/sizes.json") -> int:
+    if len(arguments) != 2 or not arguments[1].isdecimal():
+        print(__doc__, file=sys.stderr)
+        return 2
+    return write(lambda: record(Path(arguments[0]), int(arguments[1])), out)
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

@@ -1,0 +1,20 @@
+#!/usr/bin/env bash
+# Trains ZNBRDF with codes of 2 to 64 numbers, for the steps given, and records how close they come in docs/sizes.json; half an
+# hour on two cores for 8000 steps. Checkpoints and reports stay in target/sizes-STEPS: an interrupted run goes on.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+export NBRDF_DATA="${NBRDF_DATA:-$PWD/../shared/data}"
+steps="${1:-8000}"
+out="target/sizes-$steps"
+mkdir -p "$out"
+cargo build --release --workspace
+for dim in 2 4 8 16 32 64; do
+    checkpoint=$out/size-$dim.safetensors
+    [ -f "$checkpoint" ] || target/release/nbrdf train --library "$NBRDF_DATA/merl_nbrdf.zip" --dim "$dim" --steps "$steps" \
+        --resume -o "$checkpoint" --quiet
+    [ -f "$out/size-$dim.json" ] || {
+        target/release/nbrdf evaluate --with znbrdf --checkpoint "$checkpoint" --json --quiet > "$out/size.json"
+        mv "$out/size.json" "$out/size-$dim.json"
+    }
+done
+python3 scripts/record_sizes.py "$out" "$steps"
