@@ -45,7 +45,7 @@ def main() -> None:
             rows.append([float(f"{v:.6g}") for v in np.maximum(value, 0)])
         values[name] = rows
     digits = [[float(f"{v:.9g}") for v in row] for row in light], [[float(f"{v:.9g}") for v in row] for row in view]
-    golden = {"schema": 1, "about": "f_r [1/sr] clamped at 0 by Mitsuba 3, plugin measured, scalar_rgb", "light": digits[0], "view": digits[1], "f": values}
+    golden = {"schema": 1, "about": "f_r [1/sr] clamped at 0 by Mitsuba " + mitsuba.__version__ + ", plugin measured, scalar_rgb", "light": digits[0], "view": digits[1], "f": values}
     text = json.dumps(golden, separators=(",", ":")).replace("],[", "],\n[")
     OUTPUT.write_text(text + "\n")
     print(OUTPUT)

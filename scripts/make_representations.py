@@ -4,7 +4,7 @@ import json
 import sys
 from pathlib import Path
 
-from results_table import ROOT, number, table, thousands
+from results_table import ROOT, label, number, table, thousands
 
 RGL = ("cc_ibiza_sunset", "cg_sunflower", "colodur_napoli_4f", "paper_white")
 CORNELL = ("cayman", "garnet_red", "krylon_blue")
@@ -14,19 +14,15 @@ ERRORS = [
 ]
 
 
-def name(row: dict) -> str:
-    return f"`{row['name']}` {row['variant'].replace('_', '-')}"
-
-
 def errors(rows: list[dict]) -> str:
-    body = [[name(row), *(f"{number(row[key]['mean'], d)} ({number(row[key]['max'], d)})" for key, _, d in ERRORS)] for row in rows]
+    body = [[label(row), *(f"{number(row[key]['mean'], d)} ({number(row[key]['max'], d)})" for key, _, d in ERRORS)] for row in rows]
     return table(["representation", *(title for _, title, _ in ERRORS)], body)
 
 
 def costs(rows: list[dict]) -> str:
     body = [
         [
-            name(row), thousands(row["bytes"]), number(row["shared_bytes"] / 1e6, 1), number(row["encode_s"]["median"] * 1e3, 1),
+            label(row), thousands(row["bytes"]), number(row["shared_bytes"] / 1e6, 1), number(row["encode_s"]["median"] * 1e3, 1),
             number(row["ns"], 1), number(row["ratio_to_reference_loop"], 2),
             number(row["negative_share"]["max"], 4), number(row["albedo_max"]["max"], 3), number(row["reciprocity"]["max"], 4),
         ]
@@ -97,7 +93,9 @@ Written by `scripts/make_representations.py`; these commands make every figure o
 
 Errors are mean (worst) over held-out materials against the {report['reference']} networks, which stand for the measured tables;
 definitions as in [results.md](results.md). Representations that learn have seen the 80 training materials of MERL; fits see
-the material itself. `nbrdf` is a network fitted to the reference network, so that its rows tell what such a fit loses, and fewer bits on top.
+the material itself. `nbrdf` is the built-in library's network, fitted to the reference network for 30 000 steps from the shared start, so that
+its rows tell what such a fit loses, and fewer bits on top; `nbrdf_10` and `nbrdf_32` are fitted for 8 000 steps from random
+weights. Times to encode are of finding the former in the library, and of fitting the latter.
 
 ## Errors, {merl[0]['count']} held-out MERL materials
 
@@ -124,7 +122,7 @@ rgl_nbrdf_subset.zip --against TABLE.bsdf`):
 
 ## Formulas: published fits and ours
 
-`cargo run --release --workspace --example published_fits`: `log_error` against the published networks.
+`cargo run --release -p nbrdf-core --example published_fits`: `log_error` against the published networks.
 
 ```text
 {text['published_fits']}

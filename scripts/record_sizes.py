@@ -1,6 +1,6 @@
 """How close codes of several lengths come: reports `size-DIM.json` of a folder in, docs/sizes.json out.
 
-    python3 scripts/record_sizes.py target/sizes STEPS      (steps that every checkpoint was trained for)
+    python3 scripts/record_sizes.py target/sizes-STEPS STEPS      (steps that every checkpoint was trained for)
 """
 
 import sys

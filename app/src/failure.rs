@@ -7,6 +7,7 @@ use nbrdf_core::measured::MeasuredError;
 use nbrdf_core::nbrdf::file::ReadError;
 use nbrdf_core::path::{PathError, WeightsError};
 use nbrdf_core::render::environment::EnvironmentError;
+use nbrdf_core::representation::charting::ChartingError;
 use nbrdf_core::representation::measured_tables::BasisError;
 use nbrdf_core::representation::pca::PcaError;
 use nbrdf_core::representation::{DecodeError, EncodeError};
@@ -40,6 +41,7 @@ pub fn exit_code(error: &anyhow::Error) -> u8 {
             || cause.is::<PathError>()
             || cause.is::<BasisError>()
             || cause.is::<PcaError>()
+            || cause.is::<ChartingError>()
             || cause.is::<EnvironmentError>()
             || cause.downcast_ref().is_some_and(invalid_checkpoint)
             || matches!(cause.downcast_ref(), Some(RefitError::NothingToLearnFrom { .. } | RefitError::Library(_)))

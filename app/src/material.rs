@@ -7,7 +7,7 @@ use std::sync::Arc;
 
 use anyhow::{Context, Result};
 use clap::Args;
-use nbrdf_core::library::{Entry, builtin};
+use nbrdf_core::library::{Entry, builtin, is_name};
 use nbrdf_core::measured::{self, Measured, is_measured};
 use nbrdf_core::{Code, Library, Material, Split};
 
@@ -63,7 +63,7 @@ impl Shelf {
         self.library.as_ref().unwrap_or_else(|| builtin::shared())
     }
 
-    /// A name in the library or the file of a network.
+    /// A name in the library, or the file of a network or measurement.
     pub fn material(&self, argument: &str) -> Result<Item> {
         match self.library().get(argument) {
             Ok(entry) => Ok(Item::of_entry(entry.clone())),
@@ -119,6 +119,10 @@ pub fn split_of(name: &str) -> Option<Split> {
 
 /// A measured table is a material; a list of samples is none yet.
 fn measured_in(path: &Path) -> Result<Item> {
+    if !is_name(&measured::name_of(path)) {
+        let path = path.display();
+        return Err(Failure::InvalidFile(format!("{path}: expected a printable name: rename the file")).into());
+    }
     match Measured::load(path)? {
         Measured::Everywhere(table) => Ok(Item { material: measured::material(path, table), entry: None, code: None }),
         Measured::Somewhere(_) => {

@@ -28,6 +28,7 @@ pub struct NoConvergence;
 impl LinearSystem {
     /// From the matrix itself \[equations, unknowns\].
     pub fn of(matrix: &Mat<f64>) -> Result<Self, NoConvergence> {
+        all_finite(matrix)?;
         let svd = matrix.thin_svd().map_err(|_| NoConvergence)?;
         let values: Vec<f64> = svd.S().column_vector().iter().copied().collect();
         let largest = values.first().copied().unwrap_or(0.0);
@@ -37,6 +38,7 @@ impl LinearSystem {
 
     /// From AᵀA \[unknowns, unknowns\] of a matrix with at least as many rows as unknowns.
     pub fn of_gram(gram: &Mat<f64>) -> Result<Self, NoConvergence> {
+        all_finite(gram)?;
         let eigen = gram.self_adjoint_eigen(Side::Lower).map_err(|_| NoConvergence)?;
         let n = gram.nrows();
         // faer sorts eigenvalues upwards
@@ -46,7 +48,8 @@ impl LinearSystem {
         Ok(Self { values: squares.into_iter().map(f64::sqrt).collect(), right, negligible })
     }
 
-    /// Largest over smallest singular value; infinite where columns depend on each other, 1 for an empty matrix.
+    /// Largest over smallest singular value; infinite where the rank is below the shorter side, 1 for an empty
+    /// matrix.
     pub fn condition(&self) -> f64 {
         match (self.values.first(), self.values.last()) {
             (Some(_), Some(&smallest)) if smallest <= self.negligible => f64::INFINITY,
@@ -73,6 +76,11 @@ impl LinearSystem {
         }
         solution
     }
+}
+
+fn all_finite(matrix: &Mat<f64>) -> Result<(), NoConvergence> {
+    let columns = (0..matrix.ncols()).flat_map(|j| (0..matrix.nrows()).map(move |i| (i, j)));
+    if columns.into_iter().all(|at| matrix[at].is_finite()) { Ok(()) } else { Err(NoConvergence) }
 }
 
 #[cfg(test)]
@@ -110,8 +118,11 @@ mod tests {
     }
 
     #[test]
-    fn what_is_not_finite_is_refused_or_gives_no_panic() {
-        let _ = LinearSystem::of(&Mat::from_fn(3, 2, |_, _| f64::NAN));
+    fn what_is_not_finite_is_refused() {
+        for odd in [f64::NAN, f64::INFINITY] {
+            let matrix = Mat::from_fn(2, 2, |i, j| if i > j { odd } else { 1.0 });
+            assert!(LinearSystem::of(&matrix).is_err() && LinearSystem::of_gram(&matrix).is_err());
+        }
         assert_eq!(LinearSystem::of(&Mat::zeros(0, 0)).unwrap().condition(), 1.0);
     }
 }

@@ -42,6 +42,11 @@ pub enum MeasuredProblem {
     /// No samples.
     #[error(transparent)]
     List(#[from] SampleListError),
+    /// A material that changes when it is turned.
+    #[error(
+        "expected an isotropic material, found one that changes when it is turned: codes and networks here keep no azimuth of the half vector"
+    )]
+    Anisotropic,
     /// The name says nothing that is read here.
     #[error("expected the extension .binary, .bsdf, .brdf or .csv")]
     Extension,
@@ -56,7 +61,10 @@ impl Measured {
         let read = || -> Result<Self, MeasuredProblem> {
             Ok(match extension(path).as_str() {
                 "binary" => Self::Everywhere(Arc::new(Merl::load(path)?.table(Lookup::Trilinear))),
-                "bsdf" => Self::Everywhere(Arc::new(RglTable::load(path)?)),
+                "bsdf" => match RglTable::load(path)? {
+                    table if table.is_isotropic() => Self::Everywhere(Arc::new(table)),
+                    _ => return Err(MeasuredProblem::Anisotropic),
+                },
                 "brdf" | "csv" => Self::Somewhere(SampleList::load(path)?),
                 _ => return Err(MeasuredProblem::Extension),
             })

@@ -19,6 +19,8 @@ const HEADER: usize = 3 * size_of::<i32>();
 pub const FILE_BYTES: usize = HEADER + 3 * PLANE * size_of::<f64>();
 /// f_r \[1/sr\] of a stored 1 in red, green, blue.
 pub const SCALES: [f64; 3] = [1.0 / 1500.0, 1.15 / 1500.0, 1.66 / 1500.0];
+/// Larger numbers are damage; these are finite in single precision.
+const LARGEST: f64 = 1e30;
 /// Stored where nothing was measured.
 const INVALID: f64 = -1.0;
 
@@ -48,7 +50,7 @@ pub enum MerlError {
         found: [i32; 3],
     },
     /// A number that is none.
-    #[error("expected a finite number at byte {byte}, found {value}: the table is damaged, fetch it again")]
+    #[error("expected a number below {LARGEST:e} at byte {byte}, found {value}: the table is damaged, fetch it again")]
     NotFinite {
         /// Where in the file.
         byte: usize,
@@ -101,7 +103,7 @@ impl Merl {
         }
         let (numbers, _) = bytes[HEADER..].as_chunks::<8>();
         let stored: Vec<f64> = numbers.iter().map(|&bytes| f64::from_le_bytes(bytes)).collect();
-        if let Some(index) = stored.iter().position(|value| !value.is_finite()) {
+        if let Some(index) = stored.iter().position(|value| value.is_nan() || value.abs() > LARGEST) {
             return Err(MerlError::NotFinite { byte: HEADER + 8 * index, value: stored[index] });
         }
         let merl = Self { stored };

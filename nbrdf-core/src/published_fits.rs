@@ -40,7 +40,7 @@ fn sgd_of_row(row: &Row) -> Result<Sgd, PublishedFitError> {
         let (lambda, theta0) = (number("lambda", 0.0)? as f32, number("theta0", ANY)? as f32);
         Ok(ShiftedGamma {
             diffuse: number("rhoD", 0.0)? as f32,
-            specular: (scale * norm) as f32,
+            specular: (scale * norm).min(1e30) as f32,
             alpha: number("alpha", ABOVE_ZERO)? as f32,
             p: number("p", 0.0)? as f32,
             f0: number("f0", ANY)? as f32,

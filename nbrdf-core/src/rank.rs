@@ -25,7 +25,7 @@ const COLUMNS: usize = 3 * CELLS[1] * CELLS[2];
 #[serde(rename_all = "snake_case")]
 pub enum Frame {
     /// θ_half against (θ_diff, φ_diff), θ_half spaced by the square root. A cell below the horizon repeats the one before
-    /// it in θ_half, as [`Table`](table::Table) does.
+    /// it in θ_half, which adds nothing to the rank.
     HalfDifference,
     /// θ_i against (θ_o, φ), evenly spaced.
     Standard,

@@ -11,7 +11,7 @@ use std::f32::consts::{PI, TAU};
 use std::io;
 use std::path::Path;
 
-use crate::{Brdf, Directions, Rgb, Vec3};
+use crate::{Brdf, Directions, Rgb, Vec3, bounded};
 use grid::{Grid, Warp};
 use tensor_file::{TensorFile, mismatch};
 
@@ -19,7 +19,7 @@ pub use tensor_file::TensorFileError;
 
 /// Largest file that is read \[bytes\]; published ones with RGB data stay below 60 MB.
 const MAX_FILE: u64 = 256 << 20;
-/// Largest f_r: what the parameterization gives at the horizon, divided by a cosine of nearly zero, has no meaning.
+/// Cosines below are taken as this: f_r at the horizon has no meaning.
 const SMALLEST_COSINE: f32 = 1e-4;
 
 /// A measured material.
@@ -44,8 +44,8 @@ pub enum RglError {
     #[error(transparent)]
     Io(#[from] io::Error),
     /// More bytes than any material needs.
-    #[error("expected {MAX_FILE} bytes at most, found {0}: is it the right file?")]
-    TooLarge(u64),
+    #[error("expected {MAX_FILE} bytes at most, found more: is it the right file?")]
+    TooLarge,
     /// Not the tensors of a material.
     #[error(transparent)]
     Tensors(#[from] TensorFileError),
@@ -57,11 +57,8 @@ impl RglTable {
     /// # Errors
     /// [`RglError`]: not there, too large, or not a material with RGB data.
     pub fn load(path: &Path) -> Result<Self, RglError> {
-        let length = std::fs::metadata(path)?.len();
-        if length > MAX_FILE {
-            return Err(RglError::TooLarge(length));
-        }
-        Self::parse(&std::fs::read(path)?)
+        let bytes = bounded::read(path, MAX_FILE)?.ok_or(RglError::TooLarge)?;
+        Self::parse(&bytes)
     }
 
     /// From the bytes of a file.
@@ -79,6 +76,11 @@ impl RglTable {
             }
         };
         let (phi, theta) = (places("phi_i")?, places("theta_i")?);
+        // Files of symmetric materials may hold a part of the circle: they would need to be unfolded.
+        let turn = phi.last().zip(phi.first()).map_or(0.0, |(last, first)| last - first);
+        if phi.len() > 2 && (TAU / turn).round() != 1.0 {
+            return Err(mismatch("phi_i", "azimuths over the whole circle", format!("{turn} radians")).into());
+        }
         let grid = |name: &str, parameters: Vec<Vec<f32>>| -> Result<Grid, TensorFileError> {
             let tensor = file.floats(name)?;
             let leading: Vec<usize> = parameters.iter().map(Vec::len).collect();

@@ -6,10 +6,13 @@ mod goniometer;
 use std::io;
 use std::path::Path;
 
-use crate::{Directions, Rgb};
+use crate::{Directions, Rgb, bounded};
 
 /// Largest file that is read \[bytes\].
 const MAX_FILE: u64 = 256 << 20;
+
+/// Larger numbers are damage; these are finite in single precision.
+const LARGEST: f64 = 1e30;
 
 /// Samples of a reflectance.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -29,8 +32,8 @@ pub enum SampleListError {
     #[error(transparent)]
     Io(#[from] io::Error),
     /// More bytes than are read.
-    #[error("expected {MAX_FILE} bytes at most, found {0}: split the file")]
-    TooLarge(u64),
+    #[error("expected {MAX_FILE} bytes at most, found more: split the file")]
+    TooLarge,
     /// Something else than a sample.
     #[error("line {line}: expected {expected}, found {found}")]
     Line {
@@ -52,11 +55,8 @@ impl SampleList {
     /// # Errors
     /// [`SampleListError`].
     pub fn load(path: &Path) -> Result<Self, SampleListError> {
-        let length = std::fs::metadata(path)?.len();
-        if length > MAX_FILE {
-            return Err(SampleListError::TooLarge(length));
-        }
-        let text = String::from_utf8_lossy(&std::fs::read(path)?).into_owned();
+        let bytes = bounded::read(path, MAX_FILE)?.ok_or(SampleListError::TooLarge)?;
+        let text = String::from_utf8_lossy(&bytes);
         let is_csv = path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("csv"));
         if is_csv { Self::of_csv(&text) } else { Self::of_goniometer(&text) }
     }
@@ -117,8 +117,12 @@ impl SampleList {
 /// The numbers of a line.
 fn numbers(line: usize, fields: &[&str]) -> Result<Vec<f64>, SampleListError> {
     let number = |field: &&str| match field.trim().parse::<f64>() {
-        Ok(value) if value.is_finite() => Ok(value),
-        _ => Err(problem(line, "a finite number", format!("'{}'", field.chars().take(40).collect::<String>()))),
+        Ok(value) if value.abs() <= LARGEST => Ok(value),
+        _ => Err(problem(
+            line,
+            "a finite number below 1e30",
+            format!("'{}'", field.chars().take(40).collect::<String>()),
+        )),
     };
     fields.iter().map(number).collect()
 }

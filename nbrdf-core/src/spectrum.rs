@@ -65,8 +65,8 @@ pub struct Observer {
 
 impl Observer {
     /// For these wavelengths \[nm\], rising; those outside 400..700 nm add nothing, between the table's it is interpolated.
-    /// White comes out as 1, 1, 1.
-    pub fn new(wavelengths: &[f64], illuminant: Illuminant) -> Self {
+    /// White comes out as 1, 1, 1. None where the wavelengths do not make white: too few of them are seen.
+    pub fn new(wavelengths: &[f64], illuminant: Illuminant) -> Option<Self> {
         let seen = |(i, &nm): (usize, &f64)| {
             let [x, y, z, power] = sensitivity(nm);
             let power = if illuminant == Illuminant::D65 { power } else { 100.0 };
@@ -76,10 +76,13 @@ impl Observer {
         };
         let mut weights: Vec<[f64; 3]> = wavelengths.iter().enumerate().map(seen).collect();
         let white = weights.iter().fold([0.0; 3], |sum, w| [0, 1, 2].map(|c| sum[c] + w[c]));
+        if !white.iter().all(|&sum| sum > 0.0) {
+            return None;
+        }
         for weight in &mut weights {
             *weight = [0, 1, 2].map(|c| weight[c] / white[c]);
         }
-        Self { weights }
+        Some(Self { weights })
     }
 
     /// The colour of a reflectance spectrum; negative where it lies outside BT.709.
@@ -117,16 +120,17 @@ mod tests {
     #[test]
     fn white_is_white_under_both_lights() {
         for illuminant in [Illuminant::D65, Illuminant::E] {
-            let Rgb(white) = Observer::new(&wavelengths(), illuminant).rgb([0.5; 31]);
+            let Rgb(white) = Observer::new(&wavelengths(), illuminant).unwrap().rgb([0.5; 31]);
             assert!(white.iter().all(|v| (v - 0.5).abs() < 1e-6), "{white:?}");
         }
     }
 
     #[test]
     fn long_waves_are_red_and_short_ones_blue() {
-        let observer = Observer::new(&wavelengths(), Illuminant::D65);
+        let observer = Observer::new(&wavelengths(), Illuminant::D65).unwrap();
         let band = |from: usize, to: usize| observer.rgb((0..31).map(|i| f64::from(u8::from((from..to).contains(&i)))));
         let (red, blue) = (band(20, 31), band(0, 8));
+        assert!(Observer::new(&[900.0, 1000.0], Illuminant::D65).is_none(), "infrared has no colour");
         assert!(red[0] > 0.8 && red[2] < 0.1, "{red:?}");
         assert!(blue[2] > 0.8 && blue[0] < 0.2, "{blue:?}");
     }

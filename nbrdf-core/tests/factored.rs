@@ -1,51 +1,11 @@
 //! The factored microfacet model against the published SGD fits, over all MERL materials.
 
-use std::f64::consts::PI;
-use std::path::Path;
-
+use nbrdf_core::brdf::sgd::Sgd;
 use nbrdf_core::metric::{LogError, Metric, image_errors};
 use nbrdf_core::render::Sphere;
 use nbrdf_core::representation::factored_microfacet::FactoredMicrofacet;
-use nbrdf_core::{Brdf, Directions, Library, Representation, Rgb, Split, data};
+use nbrdf_core::{Library, Representation, Split, data, published_fits};
 use rayon::prelude::*;
-
-/// SGD as published (M. Bagher, C. Soler, N. Holzschuch, *Accurate fitting of measured reflectances using a Shifted Gamma
-/// micro-facet distribution* (2012)), one row of `sgd_merl.csv`: the twelve parameters of every channel.
-struct Sgd([[f64; 12]; 3]);
-
-impl Brdf for Sgd {
-    fn eval(&self, at: Directions) -> Rgb {
-        if !at.is_above() {
-            return Rgb::BLACK;
-        }
-        let angles = at.rusinkiewicz();
-        let (half, diff) = (f64::from(angles.theta_half), f64::from(angles.theta_diff));
-        let [cos_i, cos_o] = [at.light.z, at.view.z].map(f64::from);
-        let channel = |&[rho_d, rho_s, alpha, p, f0, f1, kappa, lambda, c, k, theta0, _]: &[f64; 12]| {
-            let a = alpha + half.tan().powi(2) / alpha;
-            let distribution = kappa * (-a).exp() / (PI * a.powf(p) * half.cos().powi(4));
-            let fresnel = f0 - f1 * diff.cos() + (1.0 - diff.cos()).powi(5) * (1.0 - f0);
-            let side = |cosine: f64| {
-                let beyond = (cosine.acos() - theta0).max(0.0);
-                (1.0 + lambda * (1.0 - (c * beyond.powf(k)).exp())).clamp(0.0, 1.0) / cosine
-            };
-            let f = (rho_d + rho_s * fresnel * distribution * side(cos_i) * side(cos_o)) / PI;
-            if f.is_finite() { f.max(0.0) as f32 } else { 0.0 }
-        };
-        Rgb(self.0.each_ref().map(channel))
-    }
-}
-
-fn sgd(file: &Path) -> Vec<(String, Sgd)> {
-    let text = std::fs::read_to_string(file).unwrap();
-    let row = |line: &str| {
-        let cells: Vec<&str> = line.split(',').collect();
-        let number = |i: usize| cells[i].parse::<f64>().unwrap();
-        let channel = |channel: usize| std::array::from_fn(|parameter| number(3 + 3 * parameter + channel));
-        (cells[0].to_owned(), Sgd([0, 1, 2].map(channel)))
-    };
-    text.lines().skip(1).filter(|line| !line.is_empty()).map(row).collect()
-}
 
 struct Compared {
     name: String,
@@ -58,7 +18,7 @@ struct Compared {
 fn most_materials_are_closer_than_their_published_sgd_fit() {
     let files = ["merl_nbrdf.zip", "published_fits/sgd_merl.csv"].map(data::published_or_skip);
     let [Some(networks), Some(fits)] = files else { return };
-    let (networks, fits) = (Library::load(&networks).unwrap(), sgd(&fits));
+    let (networks, fits) = (Library::load(&networks).unwrap(), published_fits::sgd(&fits).unwrap());
     assert_eq!(fits.len(), 100);
     let sphere = Sphere::studio();
     let one = |(name, sgd): &(String, Sgd)| {

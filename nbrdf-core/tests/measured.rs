@@ -81,6 +81,7 @@ fn what_is_no_merl_table_is_refused_with_the_reason() {
     assert!(cells([180, 90, 90]).contains("found 180 x 90 x 90"));
     assert!(cells([90, 90, 360]).contains("keep the first 180"));
     assert!(cells([i32::MAX; 3]).contains("90 x 90 x 180"));
+    assert!(with(12 + 8 * 7, &1e300f64.to_le_bytes()).contains("byte 68"));
     let said = with(12 + 8 * 1000, &f64::NAN.to_le_bytes());
     assert!(said.contains("byte 8012") && said.contains("NaN"), "{said}");
     for length in [0, 11, 12, FILE_BYTES - 1] {
@@ -102,6 +103,7 @@ fn rgl_tables_are_read_as_mitsuba_reads_them() {
     for name in RGL {
         let Some(file) = data::published_or_skip(&format!("rgl_measured/{name}_rgb.bsdf")) else { return };
         let table = RglTable::load(&file).unwrap();
+        assert_eq!(golden["f"][name].as_array().unwrap().len(), 24);
         for (i, wanted) in golden["f"][name].as_array().unwrap().iter().enumerate() {
             let at = Directions::new(vector(&golden["light"][i]), vector(&golden["view"][i]));
             let (found, wanted) = (table.eval(at), three(wanted));

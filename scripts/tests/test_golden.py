@@ -9,7 +9,7 @@ from safetensors.numpy import load, load_file
 import make_golden
 
 
-@pytest.mark.parametrize("which", ["coordinates", "sphere", "judged", "lobes", "charting", "least_squares", "rank"])
+@pytest.mark.parametrize("which", ["coordinates", "merl", "sphere", "judged", "lobes", "charting", "least_squares", "rank"])
 def test_the_numbers_are_those_of_the_formulas(which):
     name, make = make_golden.FILES[which]
     _same(json.loads(make()), json.loads((make_golden.FOLDER / name).read_text()))

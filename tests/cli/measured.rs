@@ -19,6 +19,7 @@ fn measured_files_are_materials_and_networks_are_fitted_to_them() {
     assert_eq!(against["against"]["name"], "rgl/paper_white");
     assert_eq!(against["against"]["figures"]["log_error"], fitted["error"]["log_error"]);
     assert!(place.run(&["info", "chrome", "--against", "paper.npz"]).text().contains("studio_delta_e_itp"));
+    place.run(&["fit", bsdf, "-o", "no.npz", "--leave-out", "10"]).fails(2);
     let said = place.run(&["render", list, "-o", "x.png"]).fails(2);
     assert!(said.contains("nbrdf fit"), "{said}");
     let wide = ["fit", list, "-o", "blue.npz", "--steps", "300", "--hidden", "16,16", "--leave-out", "10", "--json"];
@@ -37,6 +38,8 @@ fn files_that_are_no_measurement_exit_with_3_and_write_nothing() {
         ("b.bsdf", b"tensor_file\0\x01\0\xff\xff\xff\xff"),
         ("c.brdf", b"x"),
         ("d.csv", b""),
+        ("e.csv", b"light_x,light_y,light_z,view_x,view_y,view_z,r,g,b\n0,0,1,0,0,1,1e39,0,0\n"),
+        ("f.brdf", b"2\n900 1000\n0.1 0 0.2 1 0.3 0.4\n"),
     ] {
         place.write(name, bytes);
         let said = place.run(&["fit", name, "-o", "out.npz"]).fails(3);
@@ -47,5 +50,5 @@ fn files_that_are_no_measurement_exit_with_3_and_write_nothing() {
     for hidden in ["21", "0,21", "21,257", "21,21,21", "21,x"] {
         place.run(&["fit", "a.binary", "-o", "out.npz", "--hidden", hidden]).fails(2);
     }
-    assert_eq!(place.names(), ["a.binary", "b.bsdf", "c.brdf", "d.csv"]);
+    assert_eq!(place.names(), ["a.binary", "b.bsdf", "c.brdf", "d.csv", "e.csv", "f.brdf"]);
 }

@@ -1,6 +1,6 @@
 //! What is learned from measured tables: the tables themselves, the log-relative basis, and who decodes with them.
 
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::{Arc, OnceLock};
 
 use anyhow::Result;
 use nbrdf_core::representation::linear_combination::LinearCombination;
@@ -10,22 +10,21 @@ use nbrdf_core::representation::optimal_sampling::{COMPONENTS, OptimalSampling};
 
 use super::Catalog;
 
-/// Something that is learned when first asked for, by one thread while others wait.
-struct Once<T>(Mutex<Option<Arc<T>>>);
+/// Something that is learned when first asked for. Not under a lock: learning is parallel, and a thread that waits in it
+/// may be handed a task that asks here.
+struct Once<T>(OnceLock<Arc<T>>);
 
 impl<T> Once<T> {
     const fn new() -> Self {
-        Self(Mutex::new(None))
+        Self(OnceLock::new())
     }
 
     fn get(&self, learn: impl FnOnce() -> Result<T>) -> Result<Arc<T>> {
-        let mut known = self.0.lock().unwrap_or_else(PoisonError::into_inner);
-        if let Some(known) = known.as_ref() {
+        if let Some(known) = self.0.get() {
             return Ok(Arc::clone(known));
         }
         let learned = Arc::new(learn()?);
-        *known = Some(Arc::clone(&learned));
-        Ok(learned)
+        Ok(Arc::clone(self.0.get_or_init(|| learned)))
     }
 }
 

@@ -16,7 +16,7 @@ use crate::{output, report};
 /// Turns a material into a code, written as JSON.
 #[derive(Debug, Args)]
 pub struct Encode {
-    /// Name of a material, or the file of a network.
+    /// Name of a material, or the file of a network or measurement.
     #[arg(value_name = "MATERIAL|FILE")]
     material: String,
     /// Refine the code against the material itself: closer, and a second or so slower.

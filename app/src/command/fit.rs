@@ -16,10 +16,8 @@ use nbrdf_core::{Brdf, Material, Nbrdf};
 use serde_json::{Value, json};
 
 use super::{Global, warn_of_energy};
+use crate::failure::Failure;
 use crate::{output, progress, report};
-
-/// Pull towards the shared start, where measurements leave a network free.
-const PROXIMITY: f32 = 1e-5;
 
 /// Fits a network to a measurement: MERL .binary, RGL .bsdf, goniometer text .brdf, or values in .csv.
 #[derive(Debug, Args)]
@@ -46,13 +44,11 @@ impl Fit {
     pub fn run(&self, global: &Global) -> Result<()> {
         output::check(&self.output, &output::NETWORKS)?;
         let measured = Measured::load(&self.source)?;
+        if self.leave_out.is_some() && matches!(measured, Measured::Everywhere(_)) {
+            return Err(Failure::Usage("--leave-out is for lists of samples: a table is fitted whole".into()).into());
+        }
         let start = self.start(global.seed());
-        let options = FitOptions {
-            steps: self.steps as usize,
-            proximity: PROXIMITY,
-            seed: global.seed(),
-            ..FitOptions::default()
-        };
+        let options = FitOptions { steps: self.steps as usize, ..FitOptions::shared_start(global.seed()) };
         let bar = progress::bar(self.steps.into(), "fitting", global.quiet);
         let cancelled = || {
             bar.inc(64);
@@ -73,6 +69,9 @@ impl Fit {
                     }
                     None => (list.clone(), list.clone()),
                 };
+                if fitted.is_empty() {
+                    return Err(Failure::Usage("--leave-out leaves no sample to fit to".into()).into());
+                }
                 let network = done(fit_list(&start, &fitted, options, &cancelled))?;
                 let error = json!({
                     "samples": fitted.len(), "judged": judged.len(), "below_horizon": list.below,
@@ -127,20 +126,21 @@ fn table_error(table: &dyn Brdf, network: &Nbrdf) -> Value {
     json!({"log_error": error, "studio_psnr": Rendered::studio(ImageMetric::Psnr).distance(table, network)})
 }
 
-/// Mean over samples and channels of |found − measured| / measured, those below a thousandth of the mean left out.
-fn relative_error(list: &SampleList, brdf: &dyn Brdf) -> f64 {
+/// Mean over samples and channels of |found − measured| / measured, those below a thousandth of the mean left out;
+/// none where nothing is left.
+fn relative_error(list: &SampleList, brdf: &dyn Brdf) -> Option<f64> {
     let found = evaluate(brdf, &list.at);
     let pairs = || list.values.iter().zip(&found).flat_map(|(a, b)| a.0.into_iter().zip(b.0));
-    let floor = 1e-3 * pairs().map(|(a, _)| a).sum::<f32>() / (3 * list.len()) as f32;
+    let floor = 1e-3 * pairs().map(|(a, _)| f64::from(a)).sum::<f64>() / (3 * list.len()) as f64;
     let (sum, count) = pairs()
-        .filter(|(a, _)| *a > floor)
+        .filter(|(a, _)| f64::from(*a) > floor)
         .fold((0.0, 0_usize), |(sum, count), (a, b)| (sum + f64::from((b - a).abs() / a), count + 1));
-    sum / count.max(1) as f64
+    (count > 0).then(|| sum / count as f64)
 }
 
 /// The same of a formula fitted to the same samples.
 fn formula_error<P: Parametric>(fitted: &SampleList, judged: &SampleList) -> Option<f64> {
-    Analytic::<P>::fit_list(fitted).map(|brdf| relative_error(judged, brdf.as_ref()))
+    Analytic::<P>::fit_list(fitted).and_then(|brdf| relative_error(judged, brdf.as_ref()))
 }
 
 fn text(summary: &Value) -> String {

@@ -25,7 +25,7 @@ const FAR: f64 = 2.0;
 /// Tells albedo, energy, reciprocity, size, and how well the model knows a material.
 #[derive(Debug, Args)]
 pub struct Info {
-    /// Name of a material, the file of a network, or a code (`-` for standard input).
+    /// Name of a material, the file of a network or measurement, or a code (`-` for standard input).
     #[arg(value_name = "MATERIAL|FILE|CODE")]
     material: String,
     /// Another material, measurement or code: how far the first is from it, by every metric.

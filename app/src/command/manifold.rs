@@ -58,8 +58,11 @@ impl Manifold {
         let growth = growth(span.training());
         let placed = Placed::new(Arc::clone(&span), materials)?;
         let count = placed.materials.len();
-        let pairs: Vec<(usize, usize)> =
-            (0..count).map(|i| (i, (i + OFFSET) % count)).take(self.pairs.unwrap_or(count)).collect();
+        let pairs: Vec<(usize, usize)> = (0..count)
+            .map(|i| (i, (i + OFFSET) % count))
+            .filter(|(i, j)| i != j)
+            .take(self.pairs.unwrap_or(count))
+            .collect();
         let (map, full) = (catalog.charting_2()?, catalog.charting_15()?);
         let all = [
             Coordinates::Principal(map.atlas().dim()),

@@ -129,11 +129,11 @@ pub fn linear(
         let judged = points.par_iter().map(judge).collect::<Result<Vec<_>>>()?;
         Ok((0..counts.len()).map(|place| group(&points, &judged, place, &known)).collect())
     };
-    let known_materials = held_out.iter().map(|material| {
+    let projected = held_out.iter().map(|material| {
         let values = evaluate(material.brdf.as_ref(), rus32k());
         Ok(Point { code: encode(material)?, truth: Some((material.name.as_str(), values)) })
     });
-    let held_out = of(known_materials.collect::<Result<_>>()?)?;
+    let held_out = of(projected.collect::<Result<_>>()?)?;
     let between = of(middles(&codes))?;
     let drawn = of(gaussian(&codes, draws, seed))?;
     let groups = held_out.into_iter().zip(between).zip(drawn).zip(&counts);

@@ -121,8 +121,12 @@ impl<'a> Placed<'a> {
         let errors = (0..found.len()).filter(|&i| self.held_out[i]).map(|i| {
             progress::check()?;
             let place = back(&found[i]);
-            let error = LogError.distance(self.materials[i].brdf.as_ref(), &decoded(&place));
-            Ok((i, [error, table_distance(&place, &self.places[i])]))
+            let brdf = self.materials[i].brdf.as_ref();
+            // Against the material's own table: the part of it that lies outside the span is lost as well.
+            let (own, table) = (log_table::tabulate(brdf), self.span.reconstruct(&place));
+            let squares: f64 = own.iter().zip(&table).map(|(a, b)| f64::from(a - b).powi(2)).sum();
+            let apart = (squares / TABLE_LEN as f64).sqrt();
+            Ok((i, [LogError.distance(brdf, &log_table::table(table)), apart]))
         });
         let errors = errors.collect::<Result<Vec<_>>>()?;
         let middle = |&(a, b): &(usize, usize)| {

@@ -1,4 +1,4 @@
-//! Charts as SVG: points over a logarithmic axis, readable at page width in light and in dark.
+//! Charts as SVG, readable at page width in light and in dark: points over a logarithmic axis here, lines and maps beside.
 
 mod lines;
 pub mod map;

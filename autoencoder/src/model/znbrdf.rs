@@ -1,6 +1,7 @@
 //! Ours: a probe encoder, and a code and decoder that treat the colour channels alike.
 //!
-//! Code = shared numbers, then as many for each channel ([`CodeLayout`]; 32 = 20 + 3 · 4). Permuting RGB permutes the code, and channels that are equal
+//! Code = shared numbers, then a few for each channel ([`CodeLayout`]; 32 = 20 + 3 · 4). Permuting RGB permutes the
+//! code, and channels that are equal
 //! at both ends of a path stay equal along it: no colour appears that was in neither end.
 
 use candle_core::{D, Device, Result, Tensor};

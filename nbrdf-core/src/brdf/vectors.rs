@@ -97,6 +97,6 @@ pub(super) fn ln_one_plus<S: Simd>(simd: S, t: S::f32s) -> S::f32s {
     let x = simd.add_f32s(one, t);
     let rounded = simd.sub_f32s(x, one);
     let is_lost = simd.greater_than_f32s(simd.splat_f32s(1e-7), rounded);
-    let scaled = simd.div_f32s(simd.mul_f32s(crate::simd::ln(simd, x), t), rounded);
+    let scaled = simd.mul_f32s(crate::simd::ln(simd, x), simd.div_f32s(t, rounded));
     simd.select_f32s(is_lost, t, scaled)
 }

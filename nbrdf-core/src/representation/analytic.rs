@@ -33,6 +33,9 @@ use crate::{Brdf, Material};
 /// Which parameters the numbers of codes stand for: another meaning, another version.
 const CHECKPOINT: &str = "formula-1";
 
+/// Samples of a list that a formula is fitted to, at most.
+const MOST_SAMPLES: usize = 1 << 14;
+
 /// A formula, what the numbers of its codes mean, and where fits begin.
 pub trait Parametric: Send + Sync + 'static {
     /// Name in the catalog and in codes.
@@ -61,11 +64,17 @@ impl<P> Analytic<P> {
 }
 
 impl<P: Parametric> Analytic<P> {
-    /// The formula fitted to samples that were measured, each of which counts as much; none where there is none.
+    /// The formula fitted to samples that were measured, each of which counts as much; none where there is none. Of very
+    /// many samples every second, third, ... is taken: a few parameters need no more.
     pub fn fit_list(list: &SampleList) -> Option<Box<dyn Brdf>> {
-        let places = Places::new(list.at.clone(), vec![1.0; list.len()]);
-        let found = || P::reflectance(&P::fit(&Target::measured(&places, list.values.clone())));
-        (!list.is_empty()).then(found)
+        if list.is_empty() {
+            return None;
+        }
+        let step = list.len().div_ceil(MOST_SAMPLES);
+        let at: Vec<_> = list.at.iter().step_by(step).copied().collect();
+        let values: Vec<_> = list.values.iter().step_by(step).copied().collect();
+        let places = Places::new(at, vec![1.0; values.len()]);
+        Some(P::reflectance(&P::fit(&Target::measured(&places, values))))
     }
 }
 

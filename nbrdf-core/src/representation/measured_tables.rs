@@ -48,8 +48,7 @@ impl MeasuredTables {
         if let Some((_, material)) = broken {
             return Err(BasisError::NotFinite(material.name.clone()));
         }
-        // Some thousand values of each tell the materials apart; all of them would take a second to hash.
-        let hash = short_hash(tables.iter().flat_map(|table| table.iter().step_by(97).copied()));
+        let hash = hash_of(training, &tables);
         Ok(Self { tables, hash })
     }
 
@@ -81,10 +80,20 @@ impl MeasuredTables {
         self.tables.iter().map(|table| size_of_val(table.as_slice())).sum()
     }
 
-    /// Hash of the values, and so of what is learned from them.
+    /// Hash of what the tables are of, and so of what is learned from them.
     pub fn hash(&self) -> &str {
         &self.hash
     }
+}
+
+/// Hash of materials and their tables. Of networks where there are any: values differ in their last digit between kinds of
+/// processors, and a code should be read on all of them. Of a table some thousand values; all would take a second.
+pub(super) fn hash_of(materials: &[Material], tables: &[Vec<f32>]) -> String {
+    let numbers = |(material, table): (&Material, &Vec<f32>)| match &material.network {
+        Some(network) => network.weights().to_vec(),
+        None => table.iter().step_by(97).copied().collect(),
+    };
+    short_hash(materials.iter().zip(tables).flat_map(numbers))
 }
 
 /// What a material shows at some cells of a table, as the table holds it: all that is measured of it.

@@ -29,10 +29,16 @@ pub(super) fn parse(text: &str) -> Result<SampleList, SampleListError> {
         let rises = wavelengths.windows(2).all(|pair| pair[0] < pair[1]);
         let fits = wavelengths.iter().all(|nm| (200.0..=3000.0).contains(nm));
         if wavelengths.len() > count || !rises || !fits {
-            return Err(problem(line, &format!("{expected} that rise, in nm"), format!("{wavelengths:?}")));
+            return Err(problem(
+                line,
+                &format!("{expected} that rise, in nm"),
+                format!("{} that end with {:?}", wavelengths.len(), wavelengths.last()),
+            ));
         }
     }
-    let observer = Observer::new(&wavelengths, Illuminant::D65);
+    let (first, last) = (wavelengths[0], wavelengths[count - 1]);
+    let observer = Observer::new(&wavelengths, Illuminant::D65)
+        .ok_or_else(|| problem(end, "wavelengths over the visible, 400 to 700 nm", format!("{first} to {last}")))?;
     let mut list = SampleList::default();
     while let Some((line, text)) = next() {
         let fields: Vec<&str> = text.split_whitespace().collect();

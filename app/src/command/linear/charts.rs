@@ -28,12 +28,12 @@ pub(super) fn unphysical(kinds: &[Kind]) -> LineChart {
     let violating: fn(&Group) -> f64 = |group| group.violating;
     LineChart {
         title: format!(
-            "Of what PCA spans, {:.0} % is negative in plain values; of logarithms {:.0} % makes light from nothing",
+            "Plain PCA spans {:.0} % negative points; log PCA {:.0} % that make light from nothing",
             figure(Values::Plain, negative),
             figure(Values::Log, violating),
         ),
         subtitle: format!(
-            "{} points drawn from the Gaussian of the training codes; negative: f cos below -0.001 in over 1 % of directions; violating: albedo above 1",
+            "{} points from the Gaussian of training codes; negative: f cos < -0.001 in over 1 % of directions; violating: albedo > 1",
             last(Values::Plain).map_or(0, |row| row.drawn.count)
         ),
         x_label: "components (numbers in a code)".to_owned(),
@@ -68,10 +68,12 @@ pub(super) fn ranks(ranks: &[Ranks], materials: usize) -> LineChart {
     let [half, standard] = Frame::ALL.map(|frame| [Values::Plain, Values::Log].map(|values| effective(frame, values)));
     LineChart {
         title: format!(
-            "Tables have effective rank {:.1} over half angles, {:.1} over light and view; their logarithms {:.1}, {:.1}",
+            "Half angles: plain tables have rank {:.1} instead of {:.1}; their logarithms {:.1}, not {:.1}",
             half[0], standard[0], half[1], standard[1],
         ),
-        subtitle: format!("Tables of 90 x 90 x 180 cells as matrices, geometric mean over {materials} materials"),
+        subtitle: format!(
+            "Tables of 90 x 90 x 180 cells as matrices, geometric mean over {materials} materials; effective ranks"
+        ),
         x_label: "index of the singular value".to_owned(),
         y_label: "singular value relative to the first".to_owned(),
         scale: Scale::Powers { lowest: LOWEST },

@@ -31,7 +31,8 @@ pub(super) fn chart(measured: &Measured, draws: u64) -> LogChart {
     };
     LogChart {
         title: format!(
-            "20 chosen directions come {:.1} times as close as 20 random ones",
+            "{0} chosen directions come {1:.1} times as close as {0} random ones",
+            chosen.last().map_or(0, |point| point.0),
             last(&random) / last(&chosen)
         ),
         subtitle: format!(

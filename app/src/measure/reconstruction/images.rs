@@ -1,6 +1,7 @@
 //! Whole pictures of a sphere, one to five.
 
-use anyhow::{Context, Result};
+use anyhow::Result;
+use nbrdf_core::representation::EncodeError;
 use nbrdf_core::representation::optimal_sampling::basis::{LogRelative, SeenComponents};
 use nbrdf_core::representation::optimal_sampling::images::SphereImages;
 use rayon::prelude::*;
@@ -37,7 +38,7 @@ pub fn images(
         let lights = images.choose(count);
         let one = |(number, material): (usize, &&nbrdf_core::Material)| {
             let found = images.coefficients(material.brdf.as_ref(), &lights);
-            let found = found.with_context(|| format!("'{}' gives values that are not finite", material.name))?;
+            let found = found.ok_or_else(|| EncodeError::NotFinite { material: material.name.clone() })?;
             Ok(targets.errors(number, &basis.predict(seen, &found)))
         };
         let errors = targets.materials.par_iter().enumerate().map(one).collect::<Result<Vec<Errors>>>()?;

@@ -59,7 +59,8 @@ impl LineChart {
         for (position, tick) in &ticks {
             height(out, y(*position), tick)?;
         }
-        let step = round_step(widest / TICKS);
+        // Whole steps: the axis counts.
+        let step = round_step(widest / TICKS).max(1.0);
         for place in (0..).map(|i| f64::from(i) * step).take_while(|place| *place <= widest) {
             let (at, below) = (x(place), HEIGHT - BOTTOM + 17.0);
             writeln!(out, "<text class=\"label\" x=\"{at:.1}\" y=\"{below:.1}\">{place}</text>")?;

@@ -33,7 +33,7 @@ pub(super) fn isometric(maps: &[Affine], weights: &[f64]) -> Result<Mat<f64>, Ch
     (0..dim * dim).for_each(|i| normal[(i, i)] += 1e-10 * trace);
     let solved = Llt::new(normal.as_ref(), Side::Lower).map_err(|_| ChartingError::NoConvergence)?.solve(right);
     let metric = Mat::from_fn(dim, dim, |a, b| 0.5 * (solved[(a * dim + b, 0)] + solved[(b * dim + a, 0)]));
-    power(&metric, 0.5)
+    square_root(&metric)
 }
 
 /// R A for the rotation R that turns the coordinates A x of all points to their principal axes, largest first; the largest
@@ -55,15 +55,15 @@ pub(super) fn to_principal_axes(by: &Mat<f64>, coordinates: &[Vec<f64>]) -> Resu
     Ok(Mat::from_fn(dim, dim, |a, b| signs[a] * turned[(a, b)]) * by)
 }
 
-/// A power of a symmetric matrix, its eigenvalues not below a part of the largest.
-fn power(matrix: &Mat<f64>, exponent: f64) -> Result<Mat<f64>, ChartingError> {
+/// The root of a symmetric matrix, its eigenvalues not below a part of the largest.
+fn square_root(matrix: &Mat<f64>) -> Result<Mat<f64>, ChartingError> {
     let size = matrix.nrows();
     let eigen = matrix.self_adjoint_eigen(Side::Lower).map_err(|_| ChartingError::NoConvergence)?;
     let largest = eigen.S().column_vector()[size - 1];
     if !(largest.is_finite() && largest > 0.0) {
         return Err(ChartingError::NotConnected);
     }
-    let powers: Vec<f64> = (0..size).map(|k| eigen.S().column_vector()[k].max(FLAT * largest).powf(exponent)).collect();
+    let roots: Vec<f64> = (0..size).map(|k| eigen.S().column_vector()[k].max(FLAT * largest).sqrt()).collect();
     let u = eigen.U();
-    Ok(Mat::from_fn(size, size, |a, b| (0..size).map(|k| u[(a, k)] * powers[k] * u[(b, k)]).sum()))
+    Ok(Mat::from_fn(size, size, |a, b| (0..size).map(|k| u[(a, k)] * roots[k] * u[(b, k)]).sum()))
 }

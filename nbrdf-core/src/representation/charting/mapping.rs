@@ -35,8 +35,6 @@ pub(super) struct Mapping {
     pub placed: Vec<Placed>,
     /// Temperature of the posteriors of data, and of coordinates.
     temperatures: [f64; 2],
-    /// Mean square of a coordinate's disagreement between charts.
-    pub disagreement: f64,
 }
 
 impl Mapping {
@@ -49,7 +47,7 @@ impl Mapping {
         temperature_of_data: f64,
         shared: f64,
     ) -> Result<Self, ChartingError> {
-        let mut mapping = Self { placed: Vec::new(), temperatures: [temperature_of_data, 1.0], disagreement: 0.0 };
+        let mut mapping = Self { placed: Vec::new(), temperatures: [temperature_of_data, 1.0] };
         let dim = maps[0].offset.len();
         let identity = |size: usize| Mat::<f64>::identity(size, size);
         let parts = charts.into_iter().zip(maps);
@@ -71,7 +69,7 @@ impl Mapping {
         let values = (points.len() * dim) as f64;
         let variance = coordinates.iter().map(|x| dot(x, x)).sum::<f64>() / values;
         let disagreement = points.iter().zip(&coordinates).map(apart).sum::<f64>() / values;
-        mapping.disagreement = disagreement;
+        // Mean square of a coordinate's disagreement between charts.
         let noise = disagreement.max(1e-10 * variance);
         for placed in &mut mapping.placed {
             placed.invert(noise)?;
@@ -92,7 +90,7 @@ impl Mapping {
         sum
     }
 
-    /// The point at these coordinates; finite for finite ones.
+    /// The point at these coordinates; finite for those below 10¹⁰⁰.
     pub fn backward(&self, coordinates: &[f64]) -> Vec<f64> {
         let weights = posterior(&self.log_densities(coordinates), self.temperatures[1]);
         let mut sum = vec![0.0; self.placed[0].chart.mean.len()];

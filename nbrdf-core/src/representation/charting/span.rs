@@ -2,10 +2,11 @@
 
 use super::Options;
 use crate::Material;
+use crate::hash::short_hash;
 use crate::representation::EncodeError;
 use crate::representation::log_table;
+use crate::representation::measured_tables::hash_of;
 use crate::representation::pca::{Pca, PcaError};
-use crate::representation::pca_weights::checkpoint_of;
 
 /// All principal components of the training tables: distances between tables are those between their coordinates.
 pub struct Span {
@@ -23,7 +24,8 @@ impl Span {
         let pca = Pca::learn(tables.clone(), training.len().saturating_sub(1))?;
         let training_at = tables.iter().map(|table| coordinates(&pca, table)).collect();
         let names = training.iter().map(|material| material.name.clone()).collect();
-        Ok(Self { pca, training: training_at, names, checkpoint: checkpoint_of(training, &[0]) })
+        let checkpoint = hash_of(training, &tables);
+        Ok(Self { pca, training: training_at, names, checkpoint })
     }
 
     /// Coordinates of the training materials, largest variance first.
@@ -57,7 +59,9 @@ impl Span {
 
     /// Hash of what a chart is learned from.
     pub(super) fn checkpoint(&self, options: Options) -> String {
-        format!("{}-{}", self.checkpoint, options.dim)
+        let Options { dim, charts, neighbours, shared, ridge } = options;
+        let how = [dim as f32, charts.min(self.training.len()) as f32, neighbours as f32, shared as f32, ridge as f32];
+        format!("{}-{}", self.checkpoint, &short_hash(how.into_iter())[..4])
     }
 }
 

@@ -3,7 +3,7 @@
 //! M. Bagher, J. Snyder, D. Nowrouzezahrai, *A Non-Parametric Factor Microfacet Model for Isotropic BRDFs* (2016): with
 //! the other factors fixed f is linear in one, and compressive weights stand for the logarithm that f is judged through.
 //! Differs: the weights follow the fit instead of the data alone, such that what falls is the mean of
-//! |ln(1 + f c) − ln(1 + g c)| itself, `log_error`; ρ_d is solved for together with every factor; G(θ_i) G(θ_o), no
+//! |ln(1 + f c) − ln(1 + g c)| itself, `log_error` but for more pairs in highlights; ρ_d is solved for together with every factor; G(θ_i) G(θ_o), no
 //! linear function of G, is replaced by its tangent; curvature of a factor costs a little, so that entries which hardly
 //! any pair tells about follow their neighbours. A step that does not lower the loss is shortened or not taken.
 

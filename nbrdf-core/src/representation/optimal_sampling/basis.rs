@@ -1,26 +1,27 @@
-//! Principal components of all channels of all materials, relative to the median: the log-relative mapping.
+//! Principal components of the log-relative values of all channels of all materials.
 //!
 //! J. B. Nielsen, H. W. Jensen, R. Ramamoorthi (2015): ρ ↦ ln((ρ c + ε) / (ρ_med c + ε)) with ε = 10⁻³, a row for each
-//! channel of each material, components scaled by their singular values. Differs: c = max(cos θ_i, 0.05) of [`log_table`]
-//! for their product of both cosines, so that logarithms of tables are all that is needed.
+//! channel of each material, components scaled by their singular values. The median is common to all rows and cancels in
+//! components about the mean, so that it is never formed. Differs: c = max(cos θ_i, 0.05) of [`log_table`] for their product
+//! of both cosines, so that logarithms of tables are all that is needed.
 
 use faer::Mat;
 use rayon::prelude::*;
 
 use super::super::log_table::{self, TABLE_LEN, corners, measurable, sources};
 use super::super::measured_tables::{BasisError, MeasuredTables};
-use super::super::pca::{Pca, PcaError};
+use super::super::pca::Pca;
 use super::super::value_table::ValueTable;
 use crate::{Directions, Rgb};
 
 /// Cells that a thread takes at once.
 const PIECE: usize = 1024;
 
-/// Median and scaled components over the cells that are above the horizon.
+/// Mean and scaled components over the cells that are above the horizon.
 pub struct LogRelative {
     /// Scaled components of each cell \[cells, components\].
     loadings: Vec<f32>,
-    /// Median and mean together \[cells\].
+    /// Mean \[cells\].
     base: Vec<f32>,
     components: usize,
     /// Rows learned from: coefficients of a material have variance 1/rows.
@@ -34,16 +35,10 @@ impl LogRelative {
     pub fn learn(tables: &MeasuredTables, components: usize) -> Result<Self, BasisError> {
         let places = measurable();
         let tables = tables.tables();
-        let mut rows: Vec<Vec<f32>> = (0..3 * tables.len())
+        let rows: Vec<Vec<f32>> = (0..3 * tables.len())
             .into_par_iter()
             .map(|row| places.iter().map(|&cell| tables[row / 3][3 * cell + row % 3]).collect())
             .collect();
-        if rows.len() <= components {
-            return Err(PcaError::TooFew { components, found: rows.len() }.into());
-        }
-        let median: Vec<f32> =
-            (0..places.len()).into_par_iter().map(|cell| median(rows.iter().map(|row| row[cell]).collect())).collect();
-        rows.par_iter_mut().for_each(|row| row.iter_mut().zip(&median).for_each(|(v, median)| *v -= median));
         let count = rows.len();
         let pca = Pca::learn(rows.clone(), components)?;
         let coordinates: Vec<Vec<f32>> = rows.par_iter().map(|row| pca.project(row)).collect();
@@ -52,7 +47,7 @@ impl LogRelative {
         let loading =
             |index: usize| pca.components[index % components][index / components] * scales[index % components];
         let loadings = (0..places.len() * components).into_par_iter().map(loading).collect();
-        let base = median.iter().zip(&pca.mean).map(|(median, mean)| median + mean).collect();
+        let base = pca.mean;
         let mut slots = vec![0; TABLE_LEN / 3];
         places.iter().zip(0..).for_each(|(&cell, slot)| slots[cell] = slot);
         let slots = sources().iter().map(|&source| slots[source]).collect();
@@ -157,24 +152,11 @@ fn dot(a: &[f32], b: &[f32]) -> f32 {
     a.iter().zip(b).map(|(a, b)| a * b).sum()
 }
 
-/// The middle value; the mean of the two in the middle of an even number.
-fn median(mut values: Vec<f32>) -> f32 {
-    let middle = values.len() / 2;
-    let even = values.len().is_multiple_of(2);
-    let (below, upper, _) = values.select_nth_unstable_by(middle, f32::total_cmp);
-    let upper = *upper;
-    if even { 0.5 * (upper + below.iter().copied().fold(f32::NEG_INFINITY, f32::max)) } else { upper }
-}
-
 #[cfg(test)]
 mod tests {
     use super::super::super::measured_tables::tests::glossy;
+    use super::super::super::pca::PcaError;
     use super::*;
-
-    #[test]
-    fn the_median_is_in_the_middle() {
-        assert_eq!((median(vec![3.0, 1.0, 9.0]), median(vec![4.0, 1.0, 2.0, 9.0])), (2.0 + 1.0, 3.0));
-    }
 
     #[test]
     fn a_channel_of_a_learned_material_is_base_and_components() {
