@@ -6,7 +6,7 @@
 import sys
 from pathlib import Path
 
-from records import KEYS, Invalid, numbered, read, write
+from records import KEYS, Invalid, command, numbered, read
 from results_table import ROOT
 
 
@@ -25,10 +25,7 @@ def record(folder: Path, steps: int) -> dict:
 
 
 def main(arguments: list[str], out: Path = ROOT / "docs/sizes.json") -> int:
-    if len(arguments) != 2 or not arguments[1].isdecimal():
-        print(__doc__, file=sys.stderr)
-        return 2
-    return write(lambda: record(Path(arguments[0]), int(arguments[1])), out)
+    return command(arguments, __doc__, record, out)
 
 
 if __name__ == "__main__":

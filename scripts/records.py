@@ -32,6 +32,14 @@ def read(file: Path, split: str) -> dict[tuple, dict]:
         raise Invalid(f"{file}: expected a report of `nbrdf evaluate --json`: {type(error).__name__} {error}") from error
 
 
+def command(arguments: list[str], about: str | None, record: Callable[[Path, int], dict], out: Path) -> int:
+    """A command of a folder and the steps that were trained for; the exit code: 2 where it is called otherwise."""
+    if len(arguments) != 2 or not arguments[1].isdecimal():
+        print(about, file=sys.stderr)
+        return 2
+    return write(lambda: record(Path(arguments[0]), int(arguments[1])), out)
+
+
 def write(make: Callable[[], dict], out: Path) -> int:
     """Writes what `make` gives; the exit code: 0, or 3 where it is given no usable report."""
     try:

@@ -4,6 +4,7 @@ pub mod calibration;
 pub mod families;
 pub mod linear;
 pub mod manifold;
+mod pairs;
 pub mod path_quality;
 pub mod reconstruction;
 pub mod sampling;
@@ -11,5 +12,6 @@ pub mod speed;
 mod target;
 mod trust;
 
+pub use pairs::standard_pairs;
 pub use target::{Target, higher_is_better};
 pub use trust::Trust;

@@ -8,6 +8,7 @@ pub mod lambert;
 pub mod lobed;
 pub mod microfacet;
 pub(crate) mod pairs;
+mod places;
 mod prepared;
 pub mod sgd;
 pub mod standard_table;

@@ -9,6 +9,7 @@ use std::io::{self, Read};
 use std::path::Path;
 
 use crate::brdf::table::{CELLS, Lookup, Table, middles};
+use crate::sampling::evaluate;
 use crate::{Brdf, Rgb, atomic};
 
 /// Numbers of one plane.
@@ -130,8 +131,7 @@ impl Merl {
     /// The table of a reflectance, at the middles of the cells; those below the horizon are not measured.
     pub fn tabulate(brdf: &dyn Brdf) -> Self {
         let at = middles();
-        let mut values = vec![Rgb::BLACK; at.len()];
-        brdf.eval_into(at, &mut values);
+        let values = evaluate(brdf, at);
         let plane = |channel: usize| {
             let stored = move |(at, f): (&crate::Directions, &Rgb)| match at.is_above() {
                 true => f64::from(f[channel]) / SCALES[channel],

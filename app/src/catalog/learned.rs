@@ -164,7 +164,7 @@ impl Catalog {
         if let Some(known) = self.span.get() {
             return Ok(Arc::clone(known));
         }
-        let learned = Arc::new(Span::learn(&self.training(&self.reference.materials))?);
+        let learned = Arc::new(Span::learn(&self.training_materials())?);
         Ok(Arc::clone(self.span.get_or_init(|| learned)))
     }
 

@@ -54,7 +54,7 @@ impl Measured {
 impl Catalog {
     /// Tables of the training materials.
     pub fn measured_tables(&self) -> Result<Arc<MeasuredTables>> {
-        self.measured.tables.get(|| Ok(MeasuredTables::of(&self.training(&self.reference().materials))?))
+        self.measured.tables.get(|| Ok(MeasuredTables::of(&self.training_materials())?))
     }
 
     /// The log-relative basis of their channels; of fewer components where there are few materials.

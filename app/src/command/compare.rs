@@ -15,13 +15,10 @@ use serde_json::{Map, Value, json};
 use super::Global;
 use crate::catalog::{Catalog, INTERPOLATIONS, Reference};
 use crate::measure::families::{Family, FamilyLobe, FittedFamily, LOBES};
-use crate::measure::higher_is_better;
 use crate::measure::path_quality::path_quality;
+use crate::measure::{higher_is_better, standard_pairs};
 use crate::report::table::Table;
 use crate::{output, progress, report};
-
-/// Distance of the second end in the sorted names.
-const OFFSET: usize = 37;
 
 /// Measures interpolations over the standard pairs: (i, i + 37) of the sorted MERL names.
 #[derive(Debug, Args)]
@@ -101,11 +98,12 @@ impl Compare {
         let is_merl = |material: &&Material| Database::of(&material.name) == Database::Merl;
         let mut merl: Vec<&Material> = reference.materials.iter().filter(is_merl).collect();
         merl.sort_by(|a, b| a.name.cmp(&b.name));
-        if merl.len() < 2 || OFFSET.is_multiple_of(merl.len()) {
+        let mut pairs = standard_pairs(merl.len()).peekable();
+        if pairs.peek().is_none() {
             return Err(reference.lacks("MERL materials enough to pair each with another", merl.len()));
         }
-        let pair = |i: usize| [merl[i].clone(), merl[(i + OFFSET) % merl.len()].clone()];
-        Ok((0..merl.len()).take(self.pairs.map_or(usize::MAX, std::num::NonZeroUsize::get)).map(pair).collect())
+        let pair = |(a, b): (usize, usize)| [merl[a].clone(), merl[b].clone()];
+        Ok(pairs.take(self.pairs.map_or(usize::MAX, std::num::NonZeroUsize::get)).map(pair).collect())
     }
 }
 

@@ -6,12 +6,12 @@ use anyhow::{Context, Result};
 use clap::Args;
 use nbrdf_core::library::builtin;
 use nbrdf_core::measured::{self, Measured};
-use nbrdf_core::metric::{ImageMetric, Metric, Rendered, log_error};
+use nbrdf_core::metric::{ImageMetric, LogError, Metric, Rendered};
 use nbrdf_core::nbrdf::fit::{FitOptions, fit, fit_list, random_hidden};
 use nbrdf_core::nbrdf::{MAX_HIDDEN, file};
 use nbrdf_core::representation::analytic::{Analytic, GgxLobe, LambertAlone, Parametric};
 use nbrdf_core::sample_list::SampleList;
-use nbrdf_core::sampling::{evaluate, rus32k};
+use nbrdf_core::sampling::evaluate;
 use nbrdf_core::{Brdf, Material, Nbrdf};
 use serde_json::{Value, json};
 
@@ -122,8 +122,7 @@ fn done(fitted: Option<Nbrdf>) -> Result<Nbrdf> {
 }
 
 fn table_error(table: &dyn Brdf, network: &Nbrdf) -> Value {
-    let error = log_error(rus32k(), &evaluate(table, rus32k()), &evaluate(network, rus32k()));
-    json!({"log_error": error, "studio_psnr": Rendered::studio(ImageMetric::Psnr).distance(table, network)})
+    json!({"log_error": LogError.distance(table, network), "studio_psnr": Rendered::studio(ImageMetric::Psnr).distance(table, network)})
 }
 
 /// Mean over samples and channels of |found − measured| / measured, those below a thousandth of the mean left out;

@@ -13,12 +13,11 @@ use serde_json::{Value, json};
 use super::Global;
 use crate::catalog::Catalog;
 use crate::measure::manifold::{Coordinates, NEIGHBOURS, Placed, Row};
+use crate::measure::standard_pairs;
 use crate::report::svg::map::{Map, Place};
 use crate::report::table::Table;
 use crate::{output, progress, report};
 
-/// Distance of the second end of a pair in the sorted names.
-const OFFSET: usize = 37;
 /// Training materials that a chart of 15 dimensions needs.
 const LEAST: usize = 17;
 
@@ -58,11 +57,7 @@ impl Manifold {
         let growth = growth(span.training());
         let placed = Placed::new(Arc::clone(&span), materials)?;
         let count = placed.materials.len();
-        let pairs: Vec<(usize, usize)> = (0..count)
-            .map(|i| (i, (i + OFFSET) % count))
-            .filter(|(i, j)| i != j)
-            .take(self.pairs.unwrap_or(count))
-            .collect();
+        let pairs: Vec<_> = standard_pairs(count).take(self.pairs.unwrap_or(count)).collect();
         let (map, full) = (catalog.charting_2()?, catalog.charting_15()?);
         let all = [
             Coordinates::Principal(map.atlas().dim()),

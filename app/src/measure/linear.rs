@@ -18,13 +18,12 @@ use rand::RngExt;
 use rayon::prelude::*;
 use serde::Serialize;
 
+use super::standard_pairs;
 use crate::progress;
 use places::{Physics, Places};
 
 /// Numbers of components; those beyond what so many training materials span are left out.
 const COUNTS: [usize; 10] = [1, 2, 5, 10, 15, 20, 32, 45, 60, 79];
-/// Step from one end of a pair to the other in the list of training materials (PROTOCOL, "Interpolation quality").
-const PAIR: usize = 37;
 /// A point that is clearly negative in a larger share of directions than this counts as negative.
 const NEGATIVE: f64 = 0.01;
 /// Share of the training materials that are nearer to their nearest than a point must be to count as near.
@@ -143,7 +142,7 @@ pub fn linear(
 
 /// How many points [`linear`] judges.
 pub fn points(training: usize, held_out: usize, draws: usize) -> usize {
-    held_out + middle_pairs(training).count() + draws
+    held_out + standard_pairs(training).count() + draws
 }
 
 fn group(points: &[Point], judged: &[Vec<Judged>], place: usize, known: &Known) -> Group {
@@ -205,14 +204,9 @@ fn quantile(values: &mut [f64], share: f64) -> f64 {
     at(rank.floor()) + rank.fract() * (at(rank.ceil()) - at(rank.floor()))
 }
 
-/// Ends of the pairs whose middles are judged.
-fn middle_pairs(training: usize) -> impl Iterator<Item = (usize, usize)> {
-    (0..training).map(move |i| (i, (i + PAIR) % training)).filter(|(i, j)| i != j)
-}
-
 fn middles(codes: &[Vec<f32>]) -> Vec<Point<'static>> {
     let middle = |(i, j): (usize, usize)| codes[i].iter().zip(&codes[j]).map(|(a, b)| 0.5 * (a + b)).collect();
-    middle_pairs(codes.len()).map(|pair| Point { code: middle(pair), truth: None }).collect()
+    standard_pairs(codes.len()).map(|pair| Point { code: middle(pair), truth: None }).collect()
 }
 
 /// Mean + Σ gᵢ (codeᵢ − mean) / √n with normal gᵢ: the Gaussian of the codes' own mean and covariance, and of any first

@@ -9,9 +9,9 @@ use std::f32::consts::FRAC_PI_2;
 
 use pulp::{Simd, WithSimd};
 
-use super::pairs::{Pairs, above};
+use super::places::{self, Placed};
 use crate::nbrdf::kernel::half_diff;
-use crate::simd::{InstructionSet, LANES, Lanes, angle};
+use crate::simd::{InstructionSet, LANES, angle};
 use crate::{Brdf, Directions, Rgb};
 
 /// Entries of each factor.
@@ -76,19 +76,6 @@ impl Factored {
     pub const fn bytes(&self) -> usize {
         size_of_val(self)
     }
-
-    /// f_r from places in D, F, G(θ_i) and G(θ_o), and 1 / cos θ_i and 1 / cos θ_o.
-    #[inline(always)]
-    fn read(&self, [half, diff, light, view]: [f32; 4], [over_light, over_view]: [f32; 2]) -> Rgb {
-        let distribution = interpolated(&self.distribution, half);
-        let fresnel = interpolated(&self.fresnel, diff);
-        let [light, view] = [light, view].map(|place| interpolated(&self.shadowing, place));
-        Rgb(std::array::from_fn(|c| {
-            // One side after the other: either is finite, and so is their product.
-            let sides = (light[c] * over_light) * (view[c] * over_view);
-            self.diffuse[c] + distribution[c] * fresnel[c] * sides
-        }))
-    }
 }
 
 #[inline(always)]
@@ -107,37 +94,48 @@ pub(crate) fn split<const N: usize>(place: f32) -> (usize, f32) {
 
 impl Brdf for Factored {
     fn eval(&self, at: Directions) -> Rgb {
-        let mut out = [Rgb::BLACK];
-        self.eval_into(&[at], &mut out);
-        out[0]
+        places::read_one(self, at)
     }
 
     fn eval_into(&self, at: &[Directions], out: &mut [Rgb]) {
-        assert_eq!(at.len(), out.len(), "one output per pair of directions");
-        InstructionSet::fastest().run(Read { factored: self, at, out });
+        places::read(self, at, out);
     }
 }
 
-struct Read<'a> {
-    factored: &'a Factored,
-    at: &'a [Directions],
-    out: &'a mut [Rgb],
-}
-
-impl WithSimd for Read<'_> {
-    type Output = ();
+/// Places in D, F, G(θ_i) and G(θ_o), in units of entries from the first, G from the horizon; and 1 / cos θ_i and 1 / cos θ_o.
+impl Placed<6> for Factored {
+    #[inline(always)]
+    fn place<S: Simd>(simd: S, light: [S::f32s; 3], view: [S::f32s; 3]) -> [S::f32s; 6] {
+        let constant = |v: f32| simd.splat_f32s(v);
+        let across = |x, y| simd.sqrt_f32s(simd.mul_add_e_f32s(x, x, simd.mul_f32s(y, y)));
+        let within = |place, last: usize| simd.max_f32s(simd.min_f32s(place, constant(last as f32)), constant(0.0));
+        let middle = |share| {
+            let place = simd.mul_add_e_f32s(constant(ENTRIES as f32), share, constant(-0.5));
+            within(place, ENTRIES - 1)
+        };
+        // The angle above the horizon, since the one from the normal has no digits left where cos θ goes to 0.
+        let height = |[x, y, z]: [S::f32s; 3]| {
+            let share =
+                simd.mul_f32s(angle(simd, simd.max_f32s(z, constant(0.0)), across(x, y)), constant(1.0 / FRAC_PI_2));
+            within(simd.mul_f32s(constant(ENTRIES as f32), share), ENTRIES)
+        };
+        let [hx, hz, dx, dy, dz] = half_diff(simd, light, view);
+        let half = simd.mul_f32s(angle(simd, hx, hz), constant(1.0 / FRAC_PI_2));
+        let diff = simd.mul_f32s(angle(simd, across(dx, dy), dz), constant(1.0 / FRAC_PI_2));
+        let over = |z| simd.div_f32s(constant(1.0), simd.max_f32s(z, constant(f32::MIN_POSITIVE)));
+        [middle(simd.sqrt_f32s(half)), middle(diff), height(light), height(view), over(light[2]), over(view[2])]
+    }
 
     #[inline(always)]
-    fn with_simd<S: Simd>(self, simd: S) {
-        for (at, out) in self.at.chunks(LANES).zip(self.out.chunks_mut(LANES)) {
-            let (places, over) = block(simd, at);
-            let above = above(at);
-            for (lane, out) in out.iter_mut().enumerate() {
-                let places = places.each_ref().map(|lanes| lanes.0[lane]);
-                let over = over.each_ref().map(|lanes| lanes.0[lane]);
-                *out = if (above >> lane) & 1 == 1 { self.factored.read(places, over) } else { Rgb::BLACK };
-            }
-        }
+    fn read(&self, [half, diff, light, view, over_light, over_view]: [f32; 6]) -> Rgb {
+        let distribution = interpolated(&self.distribution, half);
+        let fresnel = interpolated(&self.fresnel, diff);
+        let [light, view] = [light, view].map(|place| interpolated(&self.shadowing, place));
+        Rgb(std::array::from_fn(|c| {
+            // One side after the other: either is finite, and so is their product.
+            let sides = (light[c] * over_light) * (view[c] * over_view);
+            self.diffuse[c] + distribution[c] * fresnel[c] * sides
+        }))
     }
 }
 
@@ -152,53 +150,15 @@ pub(crate) fn places(at: &[Directions]) -> Vec<[f32; 4]> {
         fn with_simd<S: Simd>(self, simd: S) -> Self::Output {
             let mut found = Vec::with_capacity(self.0.len());
             for at in self.0.chunks(LANES) {
-                let (places, _) = block(simd, at);
-                found.extend((0..at.len()).map(|lane| places.each_ref().map(|lanes| lanes.0[lane])));
+                let [half, diff, light, view, ..] = places::block::<Factored, 6, S>(simd, at);
+                let one = |lane: usize| [&half, &diff, &light, &view].map(|lanes| lanes.0[lane]);
+                found.extend((0..at.len()).map(one));
             }
             found
         }
     }
 
     InstructionSet::fastest().run(Places(at))
-}
-
-/// [`places`] of one block, and the reciprocals of both cosines.
-#[inline(always)]
-fn block<S: Simd>(simd: S, at: &[Directions]) -> ([Lanes; 4], [Lanes; 2]) {
-    let pairs = Pairs::load(at);
-    let (mut places, mut over) = ([Lanes::ZERO; 4], [Lanes::ZERO; 2]);
-    for i in 0..LANES / S::F32_LANES {
-        let [light, view] = pairs.vectors::<S>(i);
-        for (lanes, found) in places.iter_mut().zip(vector(simd, light, view)) {
-            lanes.vectors_mut::<S>()[i] = found;
-        }
-        for (lanes, [_, _, z]) in over.iter_mut().zip([light, view]) {
-            let cosine = simd.max_f32s(z, simd.splat_f32s(f32::MIN_POSITIVE));
-            lanes.vectors_mut::<S>()[i] = simd.div_f32s(simd.splat_f32s(1.0), cosine);
-        }
-    }
-    (places, over)
-}
-
-#[inline(always)]
-fn vector<S: Simd>(simd: S, light: [S::f32s; 3], view: [S::f32s; 3]) -> [S::f32s; 4] {
-    let constant = |v: f32| simd.splat_f32s(v);
-    let across = |x, y| simd.sqrt_f32s(simd.mul_add_e_f32s(x, x, simd.mul_f32s(y, y)));
-    let within = |place, last: usize| simd.max_f32s(simd.min_f32s(place, constant(last as f32)), constant(0.0));
-    let middle = |share| {
-        let place = simd.mul_add_e_f32s(constant(ENTRIES as f32), share, constant(-0.5));
-        within(place, ENTRIES - 1)
-    };
-    // The angle above the horizon, since the one from the normal has no digits left where cos θ goes to 0.
-    let height = |[x, y, z]: [S::f32s; 3]| {
-        let share =
-            simd.mul_f32s(angle(simd, simd.max_f32s(z, constant(0.0)), across(x, y)), constant(1.0 / FRAC_PI_2));
-        within(simd.mul_f32s(constant(ENTRIES as f32), share), ENTRIES)
-    };
-    let [hx, hz, dx, dy, dz] = half_diff(simd, light, view);
-    let half = simd.mul_f32s(angle(simd, hx, hz), constant(1.0 / FRAC_PI_2));
-    let diff = simd.mul_f32s(angle(simd, across(dx, dy), dz), constant(1.0 / FRAC_PI_2));
-    [middle(simd.sqrt_f32s(half)), middle(diff), height(light), height(view)]
 }
 
 #[cfg(test)]

@@ -7,13 +7,13 @@
 use std::f32::consts::{FRAC_PI_2, PI};
 use std::sync::OnceLock;
 
-use pulp::{Simd, WithSimd};
+use pulp::Simd;
 use rayon::prelude::*;
 
-use super::pairs::{Pairs, above};
+use super::places::{self, Placed};
 use super::table::between;
 use crate::sampling::evaluate;
-use crate::simd::{InstructionSet, LANES, Lanes, angle};
+use crate::simd::angle;
 use crate::{Brdf, Directions, Rgb};
 
 /// Cells along θ_i, θ_o, φ.
@@ -44,21 +44,6 @@ impl StandardTable {
     pub fn bytes(&self) -> usize {
         size_of_val(self.cells.as_slice())
     }
-
-    /// The value at a place in units of cells, measured from the edge of the first.
-    #[inline(always)]
-    fn read(&self, place: [f32; 3]) -> Rgb {
-        let [(i, ti), (o, to), (p, tp)] = [0, 1, 2].map(|angle| between(place[angle], CELLS[angle]));
-        let mut sum = Rgb::BLACK;
-        for (i, wi) in [(i, 1.0 - ti), (i + 1, ti)] {
-            for (o, wo) in [(o, 1.0 - to), (o + 1, to)] {
-                for (p, wp) in [(p, 1.0 - tp), (p + 1, tp)] {
-                    sum += self.cells[(i * CELLS[1] + o) * CELLS[2] + p] * (wi * wo * wp);
-                }
-            }
-        }
-        sum
-    }
 }
 
 /// The pairs in the middles of all cells, φ running fastest; all above the horizon.
@@ -78,61 +63,45 @@ pub fn middles() -> &'static [Directions] {
 
 impl Brdf for StandardTable {
     fn eval(&self, at: Directions) -> Rgb {
-        let mut out = [Rgb::BLACK];
-        self.eval_into(&[at], &mut out);
-        out[0]
+        places::read_one(self, at)
     }
 
     fn eval_into(&self, at: &[Directions], out: &mut [Rgb]) {
-        assert_eq!(at.len(), out.len(), "one output per pair of directions");
-        InstructionSet::fastest().run(Read { table: self, at, out });
+        places::read(self, at, out);
     }
 }
 
-struct Read<'a> {
-    table: &'a StandardTable,
-    at: &'a [Directions],
-    out: &'a mut [Rgb],
-}
-
-impl WithSimd for Read<'_> {
-    type Output = ();
+impl Placed<3> for StandardTable {
+    /// In units of cells, measured from the edge of the first.
+    #[inline(always)]
+    fn place<S: Simd>(simd: S, [lx, ly, lz]: [S::f32s; 3], [vx, vy, vz]: [S::f32s; 3]) -> [S::f32s; 3] {
+        let constant = |v: f32| simd.splat_f32s(v);
+        let theta = |x, y, z| angle(simd, simd.sqrt_f32s(simd.mul_add_e_f32s(x, x, simd.mul_f32s(y, y))), z);
+        // The angle between the azimuths, from their cosine and the size of their sine.
+        let cosine = simd.mul_add_e_f32s(lx, vx, simd.mul_f32s(ly, vy));
+        let sine = simd.sub_f32s(simd.mul_f32s(lx, vy), simd.mul_f32s(ly, vx));
+        let phi = angle(simd, simd.abs_f32s(sine), cosine);
+        let [incoming, outgoing, around] = CELLS.map(|cells| cells as f32);
+        [
+            simd.mul_f32s(theta(lx, ly, lz), constant(incoming / FRAC_PI_2)),
+            simd.mul_f32s(theta(vx, vy, vz), constant(outgoing / FRAC_PI_2)),
+            simd.mul_f32s(phi, constant(around / PI)),
+        ]
+    }
 
     #[inline(always)]
-    fn with_simd<S: Simd>(self, simd: S) {
-        for (at, out) in self.at.chunks(LANES).zip(self.out.chunks_mut(LANES)) {
-            let pairs = Pairs::load(at);
-            let mut places = [Lanes::ZERO; 3];
-            for i in 0..LANES / S::F32_LANES {
-                let [light, view] = pairs.vectors::<S>(i);
-                for (lanes, place) in places.iter_mut().zip(place(simd, light, view)) {
-                    lanes.vectors_mut::<S>()[i] = place;
+    fn read(&self, place: [f32; 3]) -> Rgb {
+        let [(i, ti), (o, to), (p, tp)] = [0, 1, 2].map(|angle| between(place[angle], CELLS[angle]));
+        let mut sum = Rgb::BLACK;
+        for (i, wi) in [(i, 1.0 - ti), (i + 1, ti)] {
+            for (o, wo) in [(o, 1.0 - to), (o + 1, to)] {
+                for (p, wp) in [(p, 1.0 - tp), (p + 1, tp)] {
+                    sum += self.cells[(i * CELLS[1] + o) * CELLS[2] + p] * (wi * wo * wp);
                 }
             }
-            let above = above(at);
-            for (lane, out) in out.iter_mut().enumerate() {
-                let place = [places[0].0[lane], places[1].0[lane], places[2].0[lane]];
-                *out = if (above >> lane) & 1 == 1 { self.table.read(place) } else { Rgb::BLACK };
-            }
         }
+        sum
     }
-}
-
-/// Where in the table, in units of cells.
-#[inline(always)]
-fn place<S: Simd>(simd: S, [lx, ly, lz]: [S::f32s; 3], [vx, vy, vz]: [S::f32s; 3]) -> [S::f32s; 3] {
-    let constant = |v: f32| simd.splat_f32s(v);
-    let theta = |x, y, z| angle(simd, simd.sqrt_f32s(simd.mul_add_e_f32s(x, x, simd.mul_f32s(y, y))), z);
-    // The angle between the azimuths, from their cosine and the size of their sine.
-    let cosine = simd.mul_add_e_f32s(lx, vx, simd.mul_f32s(ly, vy));
-    let sine = simd.sub_f32s(simd.mul_f32s(lx, vy), simd.mul_f32s(ly, vx));
-    let phi = angle(simd, simd.abs_f32s(sine), cosine);
-    let [incoming, outgoing, around] = CELLS.map(|cells| cells as f32);
-    [
-        simd.mul_f32s(theta(lx, ly, lz), constant(incoming / FRAC_PI_2)),
-        simd.mul_f32s(theta(vx, vy, vz), constant(outgoing / FRAC_PI_2)),
-        simd.mul_f32s(phi, constant(around / PI)),
-    ]
 }
 
 #[cfg(test)]

@@ -9,12 +9,13 @@ use std::f32::consts::{FRAC_PI_2, PI};
 use std::sync::OnceLock;
 
 use half::f16;
-use pulp::{Simd, WithSimd};
+use pulp::Simd;
 use rayon::prelude::*;
 
-use super::pairs::{Pairs, above};
+use super::places::{self, Placed};
 use crate::nbrdf::kernel::half_diff;
-use crate::simd::{InstructionSet, LANES, Lanes, angle};
+use crate::sampling::evaluate;
+use crate::simd::angle;
 use crate::{Brdf, Directions, Rgb, Rusinkiewicz};
 
 /// Cells along θ_half, θ_diff, φ_diff.
@@ -66,9 +67,7 @@ impl Table {
     /// Tabulates a reflectance at the [`middles`] of cells that are above the horizon.
     pub fn tabulate(brdf: &dyn Brdf, lookup: Lookup) -> Self {
         let at = middles();
-        let mut values = vec![Rgb::BLACK; at.len()];
-        at.par_chunks(4096).zip(values.par_chunks_mut(4096)).for_each(|(at, out)| brdf.eval_into(at, out));
-        Self::of_cells(at.iter().zip(values).map(|(at, value)| at.is_above().then_some(value)), lookup)
+        Self::of_cells(at.iter().zip(evaluate(brdf, at)).map(|(at, value)| at.is_above().then_some(value)), lookup)
     }
 
     /// From the values of cells, φ_diff running fastest; `None` was not measured. Such a cell repeats the nearest that was,
@@ -108,37 +107,6 @@ impl Table {
             Cells::Half(cells) => size_of_val(cells.as_slice()),
         }
     }
-
-    /// The value at a place in units of cells, measured from the edge of the first.
-    #[inline(always)]
-    fn read(&self, [h, d, p]: [f32; 3]) -> Rgb {
-        let [_, diff, phi] = CELLS;
-        let index = |h: usize, d: usize, p: usize| (h * diff + d) * phi + p;
-        if self.lookup == Lookup::Nearest {
-            let cell = |at: f32, cells: usize| (at as usize).min(cells - 1);
-            let [r, g, b, _] = self.cells.get(index(cell(h, CELLS[0]), cell(d, diff), cell(p, phi)));
-            return Rgb([r, g, b]);
-        }
-        let ((h, th), (d, td)) = (between(h, CELLS[0]), between(d, diff));
-        // φ_diff goes round.
-        let at = p + (phi as f32 - 0.5);
-        let low = at as usize;
-        let tp = at - low as f32;
-        let phis = [(low % phi, 1.0 - tp), ((low + 1) % phi, tp)];
-        let mut sum = [0.0; 4];
-        for (h, wh) in [(h, 1.0 - th), (h + 1, th)] {
-            for (d, wd) in [(d, 1.0 - td), (d + 1, td)] {
-                for (p, wp) in phis {
-                    let [r, g, b, measured] = self.cells.get(index(h, d, p));
-                    let weight = wh * wd * wp * measured;
-                    for (sum, value) in sum.iter_mut().zip([r, g, b, 1.0]) {
-                        *sum += weight * value;
-                    }
-                }
-            }
-        }
-        Rgb([sum[0], sum[1], sum[2]]) * (1.0 / sum[3])
-    }
 }
 
 /// The first of the two cells around a place in units of cells, and the weight of the second; the edges repeat.
@@ -173,63 +141,63 @@ fn middle(half: usize, diff: usize, phi: usize) -> Directions {
 
 impl Brdf for Table {
     fn eval(&self, at: Directions) -> Rgb {
-        let mut out = [Rgb::BLACK];
-        self.eval_into(&[at], &mut out);
-        out[0]
+        places::read_one(self, at)
     }
 
     fn eval_into(&self, at: &[Directions], out: &mut [Rgb]) {
-        assert_eq!(at.len(), out.len(), "one output per pair of directions");
-        InstructionSet::fastest().run(Read { table: self, at, out });
+        places::read(self, at, out);
     }
 }
 
-struct Read<'a> {
-    table: &'a Table,
-    at: &'a [Directions],
-    out: &'a mut [Rgb],
-}
-
-impl WithSimd for Read<'_> {
-    type Output = ();
+impl Placed<3> for Table {
+    /// In units of cells, measured from the edge of the first.
+    #[inline(always)]
+    fn place<S: Simd>(simd: S, light: [S::f32s; 3], view: [S::f32s; 3]) -> [S::f32s; 3] {
+        let constant = |v: f32| simd.splat_f32s(v);
+        let [hx, hz, dx, dy, dz] = half_diff(simd, light, view);
+        let theta_half = angle(simd, hx, hz);
+        let across = simd.sqrt_f32s(simd.mul_add_e_f32s(dx, dx, simd.mul_f32s(dy, dy)));
+        let theta_diff = angle(simd, across, dz);
+        // (dx, dy) and its opposite are the same by reciprocity.
+        let below = simd.greater_than_f32s(constant(0.0), dy);
+        let [dx, dy] = [dx, dy].map(|v| simd.select_f32s(below, simd.neg_f32s(v), v));
+        let [half, diff, phi] = CELLS.map(|cells| cells as f32);
+        [
+            simd.mul_f32s(constant(half), simd.sqrt_f32s(simd.mul_f32s(theta_half, constant(1.0 / FRAC_PI_2)))),
+            simd.mul_f32s(theta_diff, constant(diff / FRAC_PI_2)),
+            simd.mul_f32s(angle(simd, dy, dx), constant(phi / PI)),
+        ]
+    }
 
     #[inline(always)]
-    fn with_simd<S: Simd>(self, simd: S) {
-        for (at, out) in self.at.chunks(LANES).zip(self.out.chunks_mut(LANES)) {
-            let pairs = Pairs::load(at);
-            let mut places = [Lanes::ZERO; 3];
-            for i in 0..LANES / S::F32_LANES {
-                let [light, view] = pairs.vectors::<S>(i);
-                for (lanes, place) in places.iter_mut().zip(place(simd, light, view)) {
-                    lanes.vectors_mut::<S>()[i] = place;
+    fn read(&self, [h, d, p]: [f32; 3]) -> Rgb {
+        let [_, diff, phi] = CELLS;
+        let index = |h: usize, d: usize, p: usize| (h * diff + d) * phi + p;
+        if self.lookup == Lookup::Nearest {
+            let cell = |at: f32, cells: usize| (at as usize).min(cells - 1);
+            let [r, g, b, _] = self.cells.get(index(cell(h, CELLS[0]), cell(d, diff), cell(p, phi)));
+            return Rgb([r, g, b]);
+        }
+        let ((h, th), (d, td)) = (between(h, CELLS[0]), between(d, diff));
+        // φ_diff goes round.
+        let at = p + (phi as f32 - 0.5);
+        let low = at as usize;
+        let tp = at - low as f32;
+        let phis = [(low % phi, 1.0 - tp), ((low + 1) % phi, tp)];
+        let mut sum = [0.0; 4];
+        for (h, wh) in [(h, 1.0 - th), (h + 1, th)] {
+            for (d, wd) in [(d, 1.0 - td), (d + 1, td)] {
+                for (p, wp) in phis {
+                    let [r, g, b, measured] = self.cells.get(index(h, d, p));
+                    let weight = wh * wd * wp * measured;
+                    for (sum, value) in sum.iter_mut().zip([r, g, b, 1.0]) {
+                        *sum += weight * value;
+                    }
                 }
             }
-            let above = above(at);
-            for (lane, out) in out.iter_mut().enumerate() {
-                let place = [places[0].0[lane], places[1].0[lane], places[2].0[lane]];
-                *out = if (above >> lane) & 1 == 1 { self.table.read(place) } else { Rgb::BLACK };
-            }
         }
+        Rgb([sum[0], sum[1], sum[2]]) * (1.0 / sum[3])
     }
-}
-
-/// Where in the table, in units of cells.
-#[inline(always)]
-fn place<S: Simd>(simd: S, light: [S::f32s; 3], view: [S::f32s; 3]) -> [S::f32s; 3] {
-    let constant = |v: f32| simd.splat_f32s(v);
-    let [hx, hz, dx, dy, dz] = half_diff(simd, light, view);
-    let theta_half = angle(simd, hx, hz);
-    let across = simd.sqrt_f32s(simd.mul_add_e_f32s(dx, dx, simd.mul_f32s(dy, dy)));
-    let theta_diff = angle(simd, across, dz);
-    // (dx, dy) and its opposite are the same by reciprocity.
-    let below = simd.greater_than_f32s(constant(0.0), dy);
-    let [dx, dy] = [dx, dy].map(|v| simd.select_f32s(below, simd.neg_f32s(v), v));
-    let [half, diff, phi] = CELLS.map(|cells| cells as f32);
-    [
-        simd.mul_f32s(constant(half), simd.sqrt_f32s(simd.mul_f32s(theta_half, constant(1.0 / FRAC_PI_2)))),
-        simd.mul_f32s(theta_diff, constant(diff / FRAC_PI_2)),
-        simd.mul_f32s(angle(simd, dy, dx), constant(phi / PI)),
-    ]
 }
 
 #[cfg(test)]

@@ -37,6 +37,6 @@ fn a_training_material_is_no_way_from_itself_and_a_middle_as_far_as_its_ends() {
     // Nearest neighbours at 2, 2 and 4; of the first numbers alone at 0, 2 and 0.
     assert_eq!(known.neighbours[0], [0.0, 1.6]);
     assert_eq!(known.neighbours[1], [2.0, 3.6]);
-    assert_eq!(middle_pairs(3).count(), 3);
-    assert_eq!(middle_pairs(37).count(), 0, "no pair of a material with itself");
+    assert_eq!(standard_pairs(3).count(), 3);
+    assert_eq!(standard_pairs(37).count(), 0, "no pair of a material with itself");
 }

@@ -34,7 +34,7 @@ impl Parametric for AbcLobe {
         let start = |b: f32| {
             let shape = Abc { diffuse: Rgb::BLACK, a: Rgb::splat(1.0), b, c: 1.3, ior: 1.6 };
             let a = target.brightness(base, &shape).map(|a| a.max(1e-3));
-            let diffuse = (base * std::f32::consts::PI).map(|albedo| albedo.max(1e-3));
+            let diffuse = Target::albedo(base);
             let logarithms = [diffuse, a].into_iter().flat_map(|rgb| rgb.map(of_positive).0);
             let rest = [of_log_between(b, B), of_log_between(shape.c, C), of_log_between(shape.ior, IOR)];
             logarithms.chain(rest).collect()

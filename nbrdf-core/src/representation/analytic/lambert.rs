@@ -19,9 +19,7 @@ impl Parametric for LambertAlone {
     }
 
     fn fit(target: &Target) -> Vec<f32> {
-        let base = target.base() * std::f32::consts::PI;
-        // A black channel would not move from its logarithm.
-        let start = base.0.map(|albedo| of_positive(albedo.max(1e-3))).to_vec();
+        let start = Target::albedo(target.base()).map(of_positive).0.to_vec();
         solve_together::<Self>(target, &[start])
     }
 }

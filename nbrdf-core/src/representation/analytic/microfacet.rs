@@ -64,7 +64,7 @@ fn starts(target: &Target, facets: Facets) -> Vec<Vec<f32>> {
         let white = Rgb::splat(1.0);
         let shape = FreeFresnel { diffuse: Rgb::BLACK, f0: white, f90: white, alpha, facets };
         let f0 = target.brightness(base, &shape).map(|f0| f0.max(1e-3));
-        let diffuse = (base * std::f32::consts::PI).map(|albedo| albedo.max(1e-3));
+        let diffuse = Target::albedo(base);
         let logarithms = [diffuse, f0, f0.map(|f0| f0.max(0.3))].into_iter().flat_map(|rgb| rgb.map(of_positive).0);
         logarithms.chain([of_log_between(alpha, ALPHA)]).collect()
     };

@@ -94,6 +94,7 @@ fn solve(target: &Target, channel: usize, starts: &[Vec<f32>]) -> Vec<f32> {
 /// For each channel, lobes of several widths and tails, as bright as fits.
 fn starts(target: &Target) -> [Vec<Vec<f32>>; 3] {
     let base = target.base();
+    let albedo = Target::albedo(base);
     let mut starts = [(); 3].map(|()| Vec::new());
     for alpha in [3e-5, 3e-4, 3e-3, 3e-2, 0.3] {
         for p in [0.3, 1.0] {
@@ -101,7 +102,7 @@ fn starts(target: &Target) -> [Vec<Vec<f32>>; 3] {
             let shape = ShiftedGamma { diffuse: 0.0, specular: 1.0, f0: 0.2, f1: 0.1, alpha, p, shadowing };
             let bright = target.brightness(base, &Sgd { channels: [shape; 3] });
             for (channel, starts) in starts.iter_mut().enumerate() {
-                let diffuse = (base[channel] * std::f32::consts::PI).max(1e-3);
+                let diffuse = albedo[channel];
                 starts.push(numbers_of(&ShiftedGamma { diffuse, specular: bright[channel].max(1e-3), ..shape }));
             }
         }

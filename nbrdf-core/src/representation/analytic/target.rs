@@ -83,6 +83,11 @@ impl<'a> Target<'a> {
         }))
     }
 
+    /// k_d of such a base, to begin with: a black channel would not move from its logarithm.
+    pub(super) fn albedo(base: Rgb) -> Rgb {
+        (base * std::f32::consts::PI).map(|albedo| albedo.max(1e-3))
+    }
+
     /// How bright a lobe of this shape is that stands for what is above the base: least squares of f cos θ_i, per channel.
     pub(super) fn brightness(&self, base: Rgb, shape: &dyn Brdf) -> Rgb {
         let places = self.places;

@@ -30,7 +30,7 @@ impl Parametric for WardLobe {
         let start = |alpha: f32| {
             let shape = Ward { diffuse: Rgb::BLACK, specular: Rgb::splat(1.0), alpha };
             let lobe = target.brightness(base, &shape).map(|specular| specular.max(1e-3));
-            let diffuse = (base * std::f32::consts::PI).map(|albedo| albedo.max(1e-3));
+            let diffuse = Target::albedo(base);
             let logarithms = [diffuse, lobe].into_iter().flat_map(|rgb| rgb.map(of_positive).0);
             logarithms.chain([of_log_between(alpha, ALPHA)]).collect()
         };
