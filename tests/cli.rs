@@ -2,6 +2,8 @@
 
 #[path = "cli/codes.rs"]
 mod codes;
+#[path = "cli/learn.rs"]
+mod learn;
 #[path = "cli/linear.rs"]
 mod linear;
 #[path = "cli/manifold.rs"]
@@ -35,12 +37,9 @@ fn zip_of(files: &[(&str, &[u8])]) -> Vec<u8> {
     zip.finish().unwrap().into_inner()
 }
 
-/// A folder `two` of two networks.
+/// A folder `two` of two networks, both held out.
 fn two_materials(place: &Place) {
-    std::fs::create_dir(place.path().join("two")).unwrap();
-    place.write("two/chrome.npz", &chrome_npz());
-    let fabric = &builtin::shared().get("blue-fabric").unwrap().network;
-    place.write("two/blue-fabric.npz", &npy::write_npz(fabric));
+    place.library("two", ["chrome", "blue-fabric"]);
 }
 
 #[test]

@@ -135,6 +135,26 @@ fn derivatives_by_the_code_are_those_of_small_changes() {
 }
 
 #[test]
+fn a_basis_from_a_file_is_the_one_that_was_saved() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("basis.safetensors");
+    let at = some_directions();
+    for entry in Catalog::learned_entries() {
+        catalog().learn(entry.name).unwrap().save(&path).unwrap();
+        // From other materials nothing can be learned: what it knows is from the file.
+        let none = Reference { kind: "none".to_owned(), materials: Vec::new() };
+        let elsewhere = Catalog::new(Arc::new(none)).with_checkpoint(&path).unwrap();
+        assert_eq!(elsewhere.checkpoint_of(), Some(entry.name));
+        let [own, read] = [catalog(), &elsewhere].map(|catalog| catalog.representation(entry.name, false).unwrap());
+        let code = own.encode(&material("gold-paint")).unwrap();
+        assert_eq!(read.encode(&material("gold-paint")).unwrap(), code, "{}", entry.name);
+        let [own, read] =
+            [own, read].map(|representation| evaluate(representation.decode(&code).unwrap().as_ref(), &at));
+        assert_eq!(own, read, "{}", entry.name);
+    }
+}
+
+#[test]
 fn codes_that_belong_elsewhere_are_refused() {
     for (name, representation) in representations() {
         let code = representation.code(vec![0.0; representation.dim()]);

@@ -3,9 +3,10 @@
 //! A newcomer writes one file and adds one line to a list; command line, app, contract tests and result tables follow.
 //! (A metric that `evaluate` should report also needs its line in `measure/target.rs`, which evaluates and renders once.)
 
+mod bases;
 mod interpolations;
 mod learned;
-mod measured;
+mod once;
 mod reference;
 mod representations;
 mod twin;
@@ -15,10 +16,11 @@ use std::sync::Arc;
 
 use anyhow::Result;
 use nbrdf_core::metric::{LogError, Metric, RelativeLog, Rendered};
+use nbrdf_core::representation::basis::BasisFile;
 use nbrdf_core::{Interpolation, Representation};
 
 pub use interpolations::INTERPOLATIONS;
-pub use learned::Catalog;
+pub use learned::{BasisSize, Catalog};
 pub use reference::Reference;
 pub use representations::REPRESENTATIONS;
 pub use variant::Variant;
@@ -37,6 +39,8 @@ pub struct RepresentationEntry {
     /// One line for people.
     pub about: &'static str,
     build: fn(&Catalog) -> Result<Shared>,
+    /// What is learned, where that can be saved.
+    basis: Option<fn(&Catalog) -> Result<BasisFile>>,
 }
 
 /// An interpolation in the list.

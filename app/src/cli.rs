@@ -8,8 +8,8 @@ use clap::{Arg, CommandFactory as _, FromArgMatches as _, Parser, Subcommand};
 use crate::command::Global;
 use crate::command::{
     axes::Axes, blend::Blend, compare::Compare, completions::Completions, decode::Decode, edit::Edit, encode::Encode,
-    evaluate::Evaluate, fit::Fit, import::Import, info::Info, linear::Linear, list::List, manifold::Manifold,
-    reconstruct::Reconstruct, render::Render, sampling::Sampling, speed::Speed, train::Train,
+    evaluate::Evaluate, fit::Fit, import::Import, info::Info, learn::Learn, linear::Linear, list::List,
+    manifold::Manifold, reconstruct::Reconstruct, render::Render, sampling::Sampling, speed::Speed, train::Train,
 };
 use crate::failure::exit_code;
 
@@ -32,6 +32,7 @@ enum Command {
     Import(Import),
     Fit(Fit),
     Train(Train),
+    Learn(Learn),
     Encode(Encode),
     Decode(Decode),
     Blend(Blend),
@@ -78,6 +79,7 @@ impl Cli {
             Some(Command::Import(command)) => command.run(&self.global),
             Some(Command::Fit(command)) => command.run(&self.global),
             Some(Command::Train(command)) => command.run(&self.global),
+            Some(Command::Learn(command)) => command.run(&self.global),
             Some(Command::Evaluate(command)) => command.run(&self.global),
             Some(Command::Compare(command)) => command.run(&self.global),
             Some(Command::Linear(command)) => command.run(&self.global),

@@ -11,6 +11,7 @@ pub mod evaluate;
 pub mod fit;
 pub mod import;
 pub mod info;
+pub mod learn;
 pub mod linear;
 pub mod list;
 pub mod manifold;

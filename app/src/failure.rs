@@ -11,6 +11,7 @@ use nbrdf_core::representation::charting::ChartingError;
 use nbrdf_core::representation::measured_tables::BasisError;
 use nbrdf_core::representation::pca::PcaError;
 use nbrdf_core::representation::{DecodeError, EncodeError};
+use nbrdf_core::tensor_file::TensorFileError;
 
 /// A failure that is the user's to mend, with the exit code that says which kind it is.
 #[derive(Debug, thiserror::Error)]
@@ -44,6 +45,7 @@ pub fn exit_code(error: &anyhow::Error) -> u8 {
             || cause.is::<ChartingError>()
             || cause.is::<EnvironmentError>()
             || cause.downcast_ref().is_some_and(invalid_checkpoint)
+            || cause.downcast_ref().is_some_and(invalid_tensors)
             || matches!(cause.downcast_ref(), Some(RefitError::NothingToLearnFrom { .. } | RefitError::Library(_)))
             || cause.downcast_ref().is_some_and(invalid_training);
         if usage {
@@ -58,9 +60,15 @@ pub fn exit_code(error: &anyhow::Error) -> u8 {
 
 fn invalid_checkpoint(error: &CheckpointError) -> bool {
     match error {
-        CheckpointError::Invalid { .. } => true,
-        CheckpointError::Io { source, .. } => source.kind() == std::io::ErrorKind::NotFound,
+        CheckpointError::File(error) => invalid_tensors(error),
         CheckpointError::Tensor(_) => false,
+    }
+}
+
+fn invalid_tensors(error: &TensorFileError) -> bool {
+    match error {
+        TensorFileError::Invalid { .. } => true,
+        TensorFileError::Io { source, .. } => source.kind() == std::io::ErrorKind::NotFound,
     }
 }
 

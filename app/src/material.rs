@@ -22,7 +22,7 @@ pub struct Sources {
     /// Library whose names are meant: a folder or an archive; the built-in one by default.
     #[arg(long, value_name = "PATH")]
     library: Option<PathBuf>,
-    /// ZNBRDF checkpoint to use in place of the built-in one.
+    /// ZNBRDF checkpoint to use in place of the built-in one, or a basis of `nbrdf learn`.
     #[arg(long, value_name = "CKPT")]
     checkpoint: Option<PathBuf>,
 }

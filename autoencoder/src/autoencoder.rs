@@ -12,7 +12,7 @@ use nbrdf_core::sampler::lobe::Lobe;
 use nbrdf_core::{Brdf, Code, Material, Nbrdf, Representation};
 use serde::{Deserialize, Serialize};
 
-use crate::checkpoint::{Checkpoint, CheckpointError, invalid};
+use crate::checkpoint::{Checkpoint, CheckpointError};
 use crate::inference::{self, Inference};
 use crate::known::Known;
 use crate::lobe::LobeNetwork;
@@ -82,9 +82,9 @@ impl Autoencoder {
     }
 
     fn restore(file: &Checkpoint) -> Result<Self, CheckpointError> {
-        let found = file.metadata.get("model").map_or("no model's name", String::as_str);
+        let found = file.file.metadata("model").unwrap_or("no model's name");
         let Some(architecture) = Architecture::ALL.into_iter().find(|architecture| architecture.name() == found) else {
-            return Err(invalid(&file.path, "a checkpoint of znbrdf or published_autoencoder".into(), found.into()));
+            return Err(file.lacks("a checkpoint of znbrdf or published_autoencoder", found));
         };
         let mut restored = Self::of(architecture, file)?;
         if architecture == Architecture::Znbrdf {

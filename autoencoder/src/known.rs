@@ -8,7 +8,7 @@ use nbrdf_core::{Material, Representation};
 use rayon::prelude::*;
 
 use crate::Autoencoder;
-use crate::checkpoint::{Checkpoint, CheckpointError, invalid};
+use crate::checkpoint::{Checkpoint, CheckpointError};
 use crate::model::{CHANNEL_ORDERS, CodeLayout};
 
 /// The tensor's name in a checkpoint.
@@ -28,19 +28,12 @@ impl Known {
     pub fn new(file: &Checkpoint) -> Result<Self, CheckpointError> {
         let layout = CodeLayout::of(file)?;
         let dim = layout.dim();
-        let Some((shape, values)) = file.tensors.get(NAME) else {
-            return Err(invalid(&file.path, format!("tensor '{NAME}'"), "none of that name".into()));
-        };
-        if shape.len() != 2 || shape[0] < 2 || shape[1] != dim {
-            return Err(invalid(
-                &file.path,
-                format!("tensor '{NAME}' of shape [2 or more, {dim}]"),
-                format!("{shape:?}"),
-            ));
+        let own: Vec<Vec<f32>> = file.file.rows(NAME, dim)?;
+        if own.len() < 2 {
+            return Err(file.lacks(format!("2 or more rows in tensor '{NAME}'"), own.len()));
         }
-        let own = values.chunks_exact(dim);
         let codes: Vec<Vec<f32>> =
-            own.clone().flat_map(|code| CHANNEL_ORDERS.map(|order| reordered(layout, code, order))).collect();
+            own.iter().flat_map(|code| CHANNEL_ORDERS.map(|order| reordered(layout, code, order))).collect();
         let deviation = |number: usize| {
             let values = || codes.iter().map(|code| f64::from(code[number]));
             let mean = values().sum::<f64>() / codes.len() as f64;
@@ -48,7 +41,7 @@ impl Known {
         };
         let spread = (0..dim).map(deviation).collect();
         let mut known = Self { codes, spread, unit: 1.0 };
-        let mut nearest: Vec<f64> = own.enumerate().map(|(i, code)| known.nearest(code, Some(i))).collect();
+        let mut nearest: Vec<f64> = own.iter().enumerate().map(|(i, code)| known.nearest(code, Some(i))).collect();
         nearest.sort_by(f64::total_cmp);
         known.unit = nearest[nearest.len() / 2].max(1e-9);
         Ok(known)

@@ -60,6 +60,7 @@ pub mod sampling;
 pub mod simd;
 pub mod spectrum;
 pub mod split;
+pub mod tensor_file;
 
 pub use brdf::Brdf;
 pub use color::Rgb;

@@ -1,6 +1,7 @@
 //! Ways to store a material as a few numbers, and to get it back.
 
 pub mod analytic;
+pub mod basis;
 pub mod charting;
 pub mod code;
 pub mod factored_microfacet;

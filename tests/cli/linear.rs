@@ -1,25 +1,17 @@
 //! Linear models and tables: measured, drawn, and kept out of files too small for them.
 
-use nbrdf_core::library::builtin;
-use nbrdf_core::nbrdf::npy;
 use serde_json::Value;
 
 use super::support::Place;
 
-/// A folder `few` of training materials and one held-out one.
-fn few_materials(place: &Place) {
-    std::fs::create_dir(place.path().join("few")).unwrap();
-    for name in ["chrome", "gold-paint", "blue-rubber", "white-fabric", "alum-bronze", "green-plastic", "chrome-steel"]
-    {
-        let network = &builtin::shared().get(name).unwrap().network;
-        place.write(&format!("few/{name}.npz"), &npy::write_npz(network));
-    }
-}
+/// Five training materials, and two held-out ones.
+pub const FEW: [&str; 7] =
+    ["chrome", "gold-paint", "blue-rubber", "white-fabric", "alum-bronze", "green-plastic", "chrome-steel"];
 
 #[test]
 fn linear_tells_rank_and_physics_of_what_is_spanned_and_draws_both() {
     let place = Place::new();
-    few_materials(&place);
+    place.library("few", FEW);
     let arguments = ["linear", "--reference", "few", "--draws", "6", "-o", "a.svg", "--ranks", "b.svg", "--json"];
     let report = place.run(&arguments).json();
     assert_eq!((&report["draws"], &report["held_out"]), (&6.into(), &2.into()));
@@ -52,8 +44,7 @@ fn linear_refuses_charts_of_other_kinds_and_libraries_without_enough_to_learn_fr
     let place = Place::new();
     place.run(&["linear", "-o", "chart.png"]).fails(2);
     place.run(&["linear", "--draws", "0"]).fails(2);
-    std::fs::create_dir(place.path().join("one")).unwrap();
-    place.write("one/chrome.npz", &npy::write_npz(&builtin::shared().get("chrome").unwrap().network));
+    place.library("one", ["chrome"]);
     let said = place.run(&["linear", "--reference", "one"]).fails(3);
     assert!(said.contains("3 or more"), "{said}");
 }
@@ -61,7 +52,7 @@ fn linear_refuses_charts_of_other_kinds_and_libraries_without_enough_to_learn_fr
 #[test]
 fn tables_are_measured_with_the_bytes_they_take_and_without_their_numbers() {
     let place = Place::new();
-    few_materials(&place);
+    place.library("few", FEW);
     let arguments =
         ["evaluate", "--reference", "few", "--with", "table", "--with", "table_half", "--per-material", "--json"];
     let report = place.run(&arguments).json();

@@ -1,7 +1,6 @@
 //! Few measurements: a report and a chart of a small library, and refusals.
 
 use nbrdf_core::library::builtin;
-use nbrdf_core::nbrdf::npy;
 use nbrdf_core::{Database, Split};
 use serde_json::Value;
 
@@ -9,13 +8,10 @@ use super::support::Place;
 
 /// A library of ten training and two held-out materials.
 fn small_library(place: &Place) {
-    std::fs::create_dir(place.path().join("small")).unwrap();
     let merl = || builtin::shared().iter().filter(|entry| Database::of(&entry.name) == Database::Merl);
     let training = merl().filter(|entry| Split::of(&entry.name) == Split::Train).step_by(6).take(10);
     let held_out = merl().filter(|entry| Split::of(&entry.name) == Split::HeldOut).step_by(9).take(2);
-    for entry in training.chain(held_out) {
-        place.write(&format!("small/{}.npz", entry.name), &npy::write_npz(&entry.network));
-    }
+    place.library("small", training.chain(held_out).map(|entry| entry.name.as_str()));
 }
 
 #[test]
@@ -52,9 +48,7 @@ fn reconstruct_compares_few_measurements_and_draws_a_chart() {
 #[test]
 fn a_library_of_nothing_to_measure_exits_with_3_and_misused_switches_with_2() {
     let place = Place::new();
-    std::fs::create_dir(place.path().join("one")).unwrap();
-    let chrome = npy::write_npz(&builtin::shared().get("chrome").unwrap().network);
-    place.write("one/chrome.npz", &chrome);
+    place.library("one", ["chrome"]);
     let said = place.run(&["reconstruct", "--reference", "one"]).fails(3);
     assert!(said.contains("at least 2 training materials"), "{said}");
     let said = place.run(&["reconstruct", "--reference", "one", "--validate"]).fails(3);

@@ -4,6 +4,8 @@ use std::io::Write;
 use std::path::Path;
 use std::process::{Command, Output, Stdio};
 
+use nbrdf_core::library::builtin;
+use nbrdf_core::nbrdf::npy;
 use serde_json::Value;
 use tempfile::TempDir;
 
@@ -25,6 +27,15 @@ impl Place {
 
     pub fn write(&self, name: &str, bytes: &[u8]) {
         std::fs::write(self.path().join(name), bytes).unwrap();
+    }
+
+    /// A folder of built-in networks.
+    pub fn library<'a>(&self, folder: &str, materials: impl IntoIterator<Item = &'a str>) {
+        std::fs::create_dir(self.path().join(folder)).unwrap();
+        for name in materials {
+            let network = &builtin::shared().get(name).unwrap().network;
+            self.write(&format!("{folder}/{name}.npz"), &npy::write_npz(network));
+        }
     }
 
     /// Names in the folder, sorted.

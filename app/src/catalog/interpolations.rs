@@ -76,7 +76,7 @@ pub const INTERPOLATIONS: &[InterpolationEntry] = &[
         name: "pca_weights",
         title: "PCA of weights",
         about: "straight between PCA codes of shared-start weights",
-        build: |catalog| Ok(Box::new(CodeInterpolation::new("pca_weights", catalog.pca_weights()?))),
+        build: |catalog| Ok(Box::new(CodeInterpolation::new("pca_weights", catalog.pca_of_shared_start()?))),
     },
     InterpolationEntry {
         name: "pca_tables",

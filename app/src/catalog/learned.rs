@@ -1,35 +1,41 @@
-//! What the entries of the list learn from and share: reference materials, checkpoint, bases.
+//! What the entries of the list share: reference materials, checkpoint, what was learned.
 
 use std::path::Path;
-use std::sync::{Arc, Mutex, OnceLock, PoisonError};
+use std::sync::Arc;
 
 use anyhow::Result;
 use autoencoder::{Architecture, Autoencoder};
-use nbrdf_core::library::builtin;
-use nbrdf_core::representation::charting::{Charting, Options, Span};
-use nbrdf_core::representation::pca_tables::{PcaOptions, PcaTables};
-use nbrdf_core::representation::pca_weights::PcaWeights;
+use nbrdf_core::representation::basis::BasisFile;
+use nbrdf_core::representation::grid::Grid;
 use nbrdf_core::representation::refined::Refined;
-use nbrdf_core::{Database, Interpolation, Material, Split};
+use nbrdf_core::{Database, Interpolation, Library, Material, Split};
 
-use super::measured::Measured;
-use super::twin::{WithNetwork, independent_network, shared_start_network};
-use super::{DIM, INTERPOLATIONS, InterpolationEntry, REPRESENTATIONS, Reference, Shared, Variant};
+use super::once::Once;
+use super::twin::{WithNetwork, independent_network};
+use super::{INTERPOLATIONS, InterpolationEntry, REPRESENTATIONS, Reference, RepresentationEntry, Shared, Variant};
 use crate::failure::Failure;
 
 /// The list, together with what its entries learn from; costly parts are learned once, when first asked for.
 pub struct Catalog {
     reference: Arc<Reference>,
     checkpoint: Option<Arc<Autoencoder>>,
+    /// What was learned before, of one representation.
+    pub(super) basis: Option<Arc<BasisFile>>,
+    /// Learn from these in place of the reference materials.
+    pub(super) library: Option<Library>,
+    pub(super) size: BasisSize,
     /// Whether bases leave out the validation materials.
     validate: bool,
-    /// Bases over tables, one for each name asked for.
-    pca: Mutex<Vec<(&'static str, Arc<PcaTables>)>>,
-    pca_weights: OnceLock<Arc<WithNetwork<PcaWeights>>>,
-    span: OnceLock<Arc<Span>>,
-    charting_15: OnceLock<Arc<Charting>>,
-    charting_2: OnceLock<Arc<Charting>>,
-    pub(super) measured: Measured,
+    pub(super) learned: Once,
+}
+
+/// How large bases are, where they are not as large as their names say.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct BasisSize {
+    /// Numbers of a code: components, coordinates; directions, of three numbers each.
+    pub numbers: Option<usize>,
+    /// Cells of tables.
+    pub grid: Option<Grid>,
 }
 
 impl Catalog {
@@ -38,14 +44,17 @@ impl Catalog {
         Self {
             reference,
             checkpoint: None,
+            basis: None,
+            library: None,
+            size: BasisSize { numbers: None, grid: None },
             validate: false,
-            pca: Mutex::new(Vec::new()),
-            pca_weights: OnceLock::new(),
-            span: OnceLock::new(),
-            charting_15: OnceLock::new(),
-            charting_2: OnceLock::new(),
-            measured: Measured::new(),
+            learned: Once::new(),
         }
+    }
+
+    /// For learning bases of this size, from the training materials of a library if one is given.
+    pub fn for_learning(library: Option<Library>, size: BasisSize) -> Self {
+        Self { library, size, ..Self::new(Arc::new(Reference::built_in())) }
     }
 
     /// For measuring: against this library or the default reference, with this checkpoint or the built-in one.
@@ -57,8 +66,16 @@ impl Catalog {
         }
     }
 
-    /// With another ZNBRDF checkpoint than the built-in one.
+    /// With another ZNBRDF checkpoint than the built-in one, or with a basis that was learned before.
     pub fn with_checkpoint(self, path: &Path) -> Result<Self> {
+        if let Some(basis) = BasisFile::open(path)? {
+            if !Self::learned_entries().any(|entry| entry.name == basis.name()) {
+                let found =
+                    format!("{}: expected a basis that is known here, found '{}'", path.display(), basis.name());
+                return Err(Failure::InvalidFile(format!("{found}: learn it again with `nbrdf learn`")).into());
+            }
+            return Ok(Self { basis: Some(Arc::new(basis)), ..self });
+        }
         let loaded = Autoencoder::load(path)?;
         if loaded.architecture() != Architecture::Znbrdf {
             let found = loaded.architecture().name();
@@ -76,6 +93,24 @@ impl Catalog {
     /// What errors are measured against.
     pub fn reference(&self) -> &Reference {
         &self.reference
+    }
+
+    /// The name of what the checkpoint's file holds; none where none was named.
+    pub fn checkpoint_of(&self) -> Option<&str> {
+        let autoencoder = self.checkpoint.as_ref().map(|_| Architecture::Znbrdf.name());
+        autoencoder.or_else(|| self.basis.as_ref().map(|basis| basis.name()))
+    }
+
+    /// The lines of what is learned, and can be saved.
+    pub fn learned_entries() -> impl Iterator<Item = &'static RepresentationEntry> {
+        REPRESENTATIONS.iter().filter(|entry| entry.basis.is_some())
+    }
+
+    /// Learns a basis.
+    pub fn learn(&self, name: &str) -> Result<BasisFile> {
+        let found = Self::learned_entries().find_map(|entry| entry.basis.filter(|_| entry.name == name));
+        let learn = found.ok_or_else(|| unknown("basis", name, Self::learned_entries().map(|entry| entry.name)))?;
+        learn(self)
     }
 
     /// A representation by name; `refined` asks for its refined form.
@@ -126,74 +161,21 @@ impl Catalog {
         Arc::new(WithNetwork { inner, source: independent_network })
     }
 
-    /// The basis of these options, of which each name has one.
-    pub(super) fn pca(&self, options: PcaOptions) -> Result<Arc<PcaTables>> {
-        let known = || self.pca.lock().unwrap_or_else(PoisonError::into_inner);
-        let of_name = |all: &[(&str, Arc<PcaTables>)]| {
-            all.iter().find(|(name, _)| *name == options.name).map(|(_, learned)| Arc::clone(learned))
-        };
-        if let Some(learned) = of_name(&known()) {
-            return Ok(learned);
-        }
-        // Not under the lock: learning is parallel, and a thread that waits in it may be handed a task that asks here.
-        let learned = Arc::new(PcaTables::learn(&self.training_materials(), options)?);
-        let mut known = known();
-        Ok(of_name(&known).unwrap_or_else(|| {
-            known.push((options.name, Arc::clone(&learned)));
-            learned
-        }))
-    }
-
-    /// The reference materials that may be learned from.
+    /// The materials that may be learned from.
     pub fn training_materials(&self) -> Vec<Material> {
-        self.training(&self.reference.materials)
-    }
-
-    pub(super) fn pca_weights(&self) -> Result<Arc<WithNetwork<PcaWeights>>> {
-        if let Some(known) = self.pca_weights.get() {
-            return Ok(Arc::clone(known));
+        match &self.library {
+            Some(library) => self.training(&library.materials()),
+            None => self.training(&self.reference.materials),
         }
-        let learned = PcaWeights::learn(&self.training(&builtin::shared().materials()), DIM)?;
-        Ok(Arc::clone(
-            self.pca_weights.get_or_init(|| Arc::new(WithNetwork { inner: learned, source: shared_start_network })),
-        ))
     }
 
-    /// The affine span of the training materials' log tables.
-    pub fn span(&self) -> Result<Arc<Span>> {
-        if let Some(known) = self.span.get() {
-            return Ok(Arc::clone(known));
-        }
-        let learned = Arc::new(Span::learn(&self.training_materials())?);
-        Ok(Arc::clone(self.span.get_or_init(|| learned)))
-    }
-
-    /// The manifold of log tables in 15 coordinates.
-    pub fn charting_15(&self) -> Result<Arc<Charting>> {
-        self.charting(&self.charting_15, "charting_15", Options::MATERIALS)
-    }
-
-    /// The manifold of log tables in 2 coordinates.
-    pub fn charting_2(&self) -> Result<Arc<Charting>> {
-        self.charting(&self.charting_2, "charting_2", Options::MAP)
-    }
-
-    fn charting(&self, known: &OnceLock<Arc<Charting>>, name: &'static str, options: Options) -> Result<Arc<Charting>> {
-        if let Some(known) = known.get() {
-            return Ok(Arc::clone(known));
-        }
-        let learned = Arc::new(Charting::learn(name, self.span()?, options)?);
-        Ok(Arc::clone(known.get_or_init(|| learned)))
-    }
-
-    /// The MERL materials that may be learned from.
+    /// Those that may be learned from: not the RGL materials, which are for testing, nor any that are held out.
     pub(super) fn training(&self, materials: &[Material]) -> Vec<Material> {
         let may_learn =
-            |name: &str| Database::of(name) == Database::Merl && Split::of(name).is_learned_from(self.validate);
+            |name: &str| Database::of(name) != Database::Rgl && Split::of(name).is_learned_from(self.validate);
         materials.iter().filter(|material| may_learn(&material.name)).cloned().collect()
     }
 }
-
 fn unknown(what: &str, name: &str, known: impl Iterator<Item = &'static str>) -> anyhow::Error {
     let mut names: Vec<&str> = known.collect();
     names.dedup();

@@ -8,6 +8,7 @@ use nbrdf_core::nbrdf::precision::Precision;
 use nbrdf_core::representation::analytic::{
     AbcLobe, Analytic, BlinnPhongLobe, GgxLobe, LambertAlone, Parametric, SgdLobes, WardLobe,
 };
+use nbrdf_core::representation::basis::{Basis as _, BasisFile};
 use nbrdf_core::representation::factored_microfacet::FactoredMicrofacet;
 use nbrdf_core::representation::network::Network;
 use nbrdf_core::representation::pca_tables::PcaOptions;
@@ -35,58 +36,75 @@ pub const REPRESENTATIONS: &[RepresentationEntry] = &[
         "675-675-32-100-675 over flattened weights (Sztrajman et al. 2021)",
         |catalog| Ok(catalog.published()),
     ),
-    entry("pca_tables", Variant::Projection, "PCA of ln(f cos + 0.001) tables, 32 components", |catalog| {
-        Ok(catalog.pca(PcaOptions::PROTOCOL)?)
-    }),
+    learned(
+        "pca_tables",
+        "PCA of ln(f cos + 0.001) tables, 32 components",
+        |catalog| Ok(catalog.pca(PcaOptions::PROTOCOL)?),
+        |catalog| Ok(catalog.pca(PcaOptions::PROTOCOL)?.to_file()),
+    ),
     entry("pca_tables", Variant::Refined, "PCA of log tables, its code refined against the target", |catalog| {
         Ok(Arc::new(Refined::new(catalog.pca(PcaOptions::PROTOCOL)?)))
     }),
-    entry(
+    learned(
         "pca_45",
-        Variant::Projection,
         "PCA of ln(f cos + 0.001) tables, 45 components (Matusik et al. 2003)",
         |catalog| Ok(catalog.pca(PcaOptions::LOG_45)?),
+        |catalog| Ok(catalog.pca(PcaOptions::LOG_45)?.to_file()),
     ),
-    entry(
+    learned(
         "pca_plain_45",
-        Variant::Projection,
         "PCA of f cos tables, 45 components: what logarithms are for",
         |catalog| Ok(catalog.pca(PcaOptions::PLAIN_45)?),
+        |catalog| Ok(catalog.pca(PcaOptions::PLAIN_45)?.to_file()),
     ),
-    entry(
+    learned(
         "pca_relative_45",
-        Variant::Projection,
         "PCA of log tables relative to the median, 45 components (Nielsen et al. 2015)",
         |catalog| Ok(catalog.pca(PcaOptions::RELATIVE_45)?),
+        |catalog| Ok(catalog.pca(PcaOptions::RELATIVE_45)?.to_file()),
     ),
-    entry("pca_weights", Variant::Projection, "PCA of shared-start weights", |catalog| Ok(catalog.pca_weights()?)),
-    entry(
+    learned(
+        "pca_weights",
+        "PCA of shared-start weights",
+        |catalog| Ok(catalog.pca_of_shared_start()?),
+        |catalog| Ok(catalog.pca_weights()?.to_file()),
+    ),
+    learned(
         "charting_15",
-        Variant::Projection,
         "place on the manifold of log tables, 15 numbers (Brand 2002, Matusik et al. 2003)",
         |catalog| Ok(catalog.charting_15()?),
+        |catalog| Ok(catalog.charting_15()?.to_file()),
     ),
-    entry("charting_2", Variant::Projection, "place on the manifold of log tables, 2 numbers: a map", |catalog| {
-        Ok(catalog.charting_2()?)
-    }),
-    entry(
+    learned(
+        "charting_2",
+        "place on the manifold of log tables, 2 numbers: a map",
+        |catalog| Ok(catalog.charting_2()?),
+        |catalog| Ok(catalog.charting_2()?.to_file()),
+    ),
+    learned(
         "linear_combination",
-        Variant::Projection,
         "sum of the measured training materials (Matusik et al. 2003)",
         |catalog| Ok(catalog.linear_combination()?),
+        |catalog| Ok(catalog.linear_combination()?.to_file()),
     ),
-    entry("linear_combination_800", Variant::Projection, "the same sum, found from 800 random samples", |catalog| {
-        Ok(catalog.linear_combination_800()?)
-    }),
-    entry(
+    learned(
+        "linear_combination_800",
+        "the same sum, found from 800 random samples",
+        |catalog| Ok(catalog.linear_combination_800()?),
+        |catalog| Ok(catalog.linear_combination_800()?.to_file()),
+    ),
+    learned(
         "optimal_sampling_20",
-        Variant::Projection,
         "reflectance in 20 chosen directions (Nielsen et al. 2015)",
         |catalog| Ok(catalog.optimal_sampling_20()?),
+        |catalog| Ok(catalog.optimal_sampling_20()?.to_file()),
     ),
-    entry("optimal_sampling_5", Variant::Projection, "reflectance in 5 chosen directions", |catalog| {
-        Ok(catalog.optimal_sampling_5()?)
-    }),
+    learned(
+        "optimal_sampling_5",
+        "reflectance in 5 chosen directions",
+        |catalog| Ok(catalog.optimal_sampling_5()?),
+        |catalog| Ok(catalog.optimal_sampling_5()?.to_file()),
+    ),
     entry("nbrdf", Variant::Fitted, "NBRDF: a 6-21-21-3 network of its own, fitted from the shared start", |_| {
         Ok(own_network("nbrdf", Precision::Single))
     }),
@@ -131,7 +149,17 @@ pub const REPRESENTATIONS: &[RepresentationEntry] = &[
 ];
 
 const fn entry(name: &'static str, variant: Variant, about: &'static str, build: Build) -> RepresentationEntry {
-    RepresentationEntry { name, variant, about, build }
+    RepresentationEntry { name, variant, about, build, basis: None }
+}
+
+/// What is learned, and can be saved.
+const fn learned(
+    name: &'static str,
+    about: &'static str,
+    build: Build,
+    basis: fn(&Catalog) -> Result<BasisFile>,
+) -> RepresentationEntry {
+    RepresentationEntry { basis: Some(basis), ..entry(name, Variant::Projection, about, build) }
 }
 
 /// A formula, fitted.

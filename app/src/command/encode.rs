@@ -22,9 +22,9 @@ pub struct Encode {
     /// Refine the code against the material itself: closer, and a second or so slower.
     #[arg(long)]
     refine: bool,
-    /// Representation that makes the code.
-    #[arg(long = "with", value_name = "NAME", default_value = "znbrdf")]
-    representation: String,
+    /// Representation that makes the code; that of the checkpoint by default, else znbrdf.
+    #[arg(long = "with", value_name = "NAME")]
+    representation: Option<String>,
     #[command(flatten)]
     sources: Sources,
     /// File of the code; standard output by default.
@@ -41,9 +41,10 @@ impl Encode {
         }
         let shelf = self.sources.open()?;
         let item = shelf.material(&self.material)?;
-        let representation = shelf.catalog.representation(&self.representation, self.refine)?;
+        let name = self.name(&shelf.catalog)?;
+        let representation = shelf.catalog.representation(name, self.refine)?;
         if representation.dim() > MAX_NUMBERS {
-            let (name, dim) = (&self.representation, representation.dim());
+            let dim = representation.dim();
             return Err(Failure::Usage(format!(
                 "a code of {name} has {dim} numbers, and a file of a code holds {MAX_NUMBERS} at most: keep the table \
                  itself"
@@ -53,7 +54,7 @@ impl Encode {
         let code = representation.encode(&item.material)?;
         let decoded = representation.decode(&code)?;
         let trust = Trust::of(&item.material, &code, decoded.as_ref(), &shelf.catalog.autoencoder())?;
-        let can_refine = !self.refine && Catalog::has_refined_form(&self.representation);
+        let can_refine = !self.refine && Catalog::has_refined_form(name);
         if let Some(advice) = trust.advice(&item.material.name, can_refine) {
             global.warn(format_args!("{advice}"))?;
         }
@@ -70,6 +71,17 @@ impl Encode {
         match output.is_none() || global.json {
             true => report::write(&json),
             false => Ok(()),
+        }
+    }
+
+    /// The representation asked for, or that of the checkpoint; not another one than that.
+    fn name<'a>(&'a self, catalog: &'a Catalog) -> Result<&'a str> {
+        match (self.representation.as_deref(), catalog.checkpoint_of()) {
+            (Some(asked), Some(held)) if asked != held => Err(Failure::Usage(format!(
+                "the checkpoint is of {held}, not of {asked}: leave out --with, or name another file"
+            ))
+            .into()),
+            (asked, held) => Ok(asked.or(held).unwrap_or("znbrdf")),
         }
     }
 }

@@ -28,7 +28,7 @@ pub struct Evaluate {
     /// Materials to measure against; the published networks in NBRDF_DATA by default, else the built-in ones.
     #[arg(long, value_name = "LIBRARY")]
     reference: Option<PathBuf>,
-    /// Another ZNBRDF checkpoint than the built-in one.
+    /// Another ZNBRDF checkpoint than the built-in one, or a basis of `nbrdf learn`.
     #[arg(long, value_name = "CKPT")]
     checkpoint: Option<PathBuf>,
     /// Report every material, with its code unless that is longer than 512 numbers.

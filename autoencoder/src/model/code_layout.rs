@@ -2,7 +2,7 @@
 //! its own.
 
 use super::{DIM, MAX_DIM};
-use crate::checkpoint::{Checkpoint, CheckpointError, invalid};
+use crate::checkpoint::{Checkpoint, CheckpointError};
 
 /// `shared` numbers, then `channel` for each of the three channels.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -27,7 +27,7 @@ impl CodeLayout {
 
     /// As the tensors of a checkpoint say.
     pub fn of(file: &Checkpoint) -> Result<Self, CheckpointError> {
-        let rows = |name: &str| file.tensors.get(name).and_then(|(shape, _)| shape.first().copied());
+        let rows = |name: &str| file.file.shape(name).ok().and_then(|shape| shape.first().copied());
         let found = Self {
             shared: rows("encoder.shared.weight").unwrap_or(0),
             channel: rows("encoder.channel.weight").unwrap_or(0),
@@ -35,11 +35,7 @@ impl CodeLayout {
         let dim = found.channel.saturating_mul(3).saturating_add(found.shared);
         if !(1..=MAX_DIM).contains(&dim) || found != Self::new(dim) {
             let expected = format!("the encoder of a code of 1 to {MAX_DIM} numbers, {DIM} by default");
-            return Err(invalid(
-                &file.path,
-                expected,
-                format!("{} shared and 3 times {} numbers", found.shared, found.channel),
-            ));
+            return Err(file.lacks(expected, format!("{} shared and 3 times {} numbers", found.shared, found.channel)));
         }
         Ok(found)
     }

@@ -50,15 +50,18 @@ pub(super) fn save(path: &Path, run: Run, model: &dyn Model, optimizer: &AdamW) 
 /// Puts a saved state into the model and the optimizer.
 pub(super) fn load(path: &Path, run: Run, model: &dyn Model, optimizer: &mut AdamW) -> Result<(), TrainError> {
     let file = Checkpoint::load(path)?;
-    let header = file.metadata.get(KEY).and_then(|json| serde_json::from_str::<Header>(json).ok());
+    let header = file.file.metadata(KEY).and_then(|json| serde_json::from_str::<Header>(json).ok());
     let Some(header) = header else {
-        let found = "another safetensors file".to_owned();
-        return Err(checkpoint::invalid(&file.path, "the state of a training".into(), found).into());
+        return Err(file.lacks("the state of a training", "another safetensors file").into());
     };
     let expected = Header { step: header.step, options: run.options.clone(), data: run.data.to_owned() };
     if header.options != expected.options || header.data != expected.data {
         let show = |header: &Header| serde_json::json!({"options": header.options, "data": header.data}).to_string();
-        return Err(TrainError::OtherRun { path: file.path, expected: show(&expected), found: show(&header) });
+        return Err(TrainError::OtherRun {
+            path: file.file.path().to_owned(),
+            expected: show(&expected),
+            found: show(&header),
+        });
     }
     file.restore(model)?;
     for (Parameter { name, var, .. }, moments) in model.parameters().iter().zip(&mut optimizer.moments) {

@@ -12,6 +12,7 @@ mod chart;
 mod connection;
 pub mod dimension;
 pub mod distortion;
+mod file;
 mod isometry;
 mod kernel;
 #[cfg(test)]

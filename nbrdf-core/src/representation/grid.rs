@@ -5,12 +5,12 @@
 use std::f32::consts::{FRAC_PI_2, PI, TAU};
 use std::sync::OnceLock;
 
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 use crate::{Directions, Rusinkiewicz};
 
 /// Where a table has cells.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Grid {
     /// 60 × 40 × 80, φ_diff over the whole circle, never folded (PROTOCOL of this project, "PCA-32"): 576 000 numbers.

@@ -9,6 +9,7 @@
 //! small ridge draws towards the mean material.
 
 mod coefficients;
+mod file;
 
 use std::sync::Arc;
 

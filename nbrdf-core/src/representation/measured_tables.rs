@@ -5,9 +5,11 @@ use std::collections::BTreeSet;
 use rand::RngExt;
 use rayon::prelude::*;
 
+use super::basis::BasisFile;
 use super::log_table::{self, TABLE_LEN, cells, measurable};
 use super::value_table::ValueTable;
 use crate::hash::short_hash;
+use crate::tensor_file::TensorFileError;
 use crate::{Brdf, Material, Rgb};
 
 /// Cells that a thread takes at once.
@@ -50,6 +52,20 @@ impl MeasuredTables {
         }
         let hash = hash_of(training, &tables);
         Ok(Self { tables, hash })
+    }
+
+    /// With the tensor `tables` \[materials, numbers\].
+    pub(super) fn write_into(&self, file: BasisFile) -> BasisFile {
+        file.with_rows("tables", &self.tables)
+    }
+
+    /// As learned from what the file's checkpoint stands for.
+    pub(super) fn of_file(file: &BasisFile) -> Result<Self, TensorFileError> {
+        let tables: Vec<Vec<f32>> = file.rows("tables", TABLE_LEN)?;
+        match tables.len() {
+            0 | 1 => Err(file.lacks("tables of at least 2 materials", tables.len())),
+            _ => Ok(Self { tables, hash: file.checkpoint().to_owned() }),
+        }
     }
 
     /// The tables, each as long as [`TABLE_LEN`].

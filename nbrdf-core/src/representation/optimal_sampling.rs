@@ -12,6 +12,7 @@
 pub mod basis;
 pub mod design;
 pub mod directions;
+mod file;
 pub mod images;
 
 use std::sync::Arc;

@@ -3,6 +3,7 @@
 //! The eigenvectors of the small Gram matrix give the components (Turk and Pentland 1991, section 2), so that neither a
 //! covariance nor an SVD of the long side is ever formed. Products are summed in f32 over short pieces, these in f64.
 
+mod file;
 mod pieces;
 
 use faer::{Mat, Side};

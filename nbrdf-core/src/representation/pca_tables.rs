@@ -5,6 +5,8 @@
 //! coarse grid is smaller and keeps the whole circle of φ_diff. Log-relative components are taken about the median itself
 //! rather than about the mean of relative values: about the mean, the reference would cancel, since all materials share it.
 
+mod file;
+
 use super::grid::Grid;
 use super::pca::{Centre, Pca, PcaError};
 use super::pca_weights::checkpoint_of;

@@ -1,9 +1,11 @@
 //! Linear PCA over the flattened weights of networks: what happens if weights are taken for plain vectors.
 
+use super::basis::{Basis, BasisFile};
 use super::pca::{Pca, PcaError};
 use super::{Code, DecodeError, EncodeError, Representation};
 use crate::hash::short_hash;
-use crate::nbrdf::PUBLISHED_HIDDEN;
+use crate::nbrdf::{PUBLISHED_HIDDEN, PUBLISHED_WEIGHTS};
+use crate::tensor_file::TensorFileError;
 use crate::{Brdf, Material, Nbrdf};
 
 /// Components over the 675 weights.
@@ -26,6 +28,17 @@ impl PcaWeights {
     fn reconstruct(&self, code: &Code) -> Result<Nbrdf, DecodeError> {
         let code = code.checked(self.name(), &self.checkpoint, self.dim())?;
         Nbrdf::published(self.pca.reconstruct(code)).map_err(|error| DecodeError::Failed(error.to_string()))
+    }
+}
+
+impl Basis for PcaWeights {
+    fn to_file(&self) -> BasisFile {
+        self.pca.write_into(BasisFile::new(self, serde_json::Value::Null))
+    }
+
+    fn of_file(_: &'static str, file: &BasisFile) -> Result<Self, TensorFileError> {
+        let pca = Pca::of_file(file, PUBLISHED_WEIGHTS)?;
+        Ok(Self { pca, checkpoint: file.checkpoint().to_owned() })
     }
 }
 

@@ -4,7 +4,7 @@
 //! (W. Matusik et al., *A Data-Driven Reflectance Model* (2003), section 5; J. Nielsen et al., *On Optimal, Minimal BRDF
 //! Sampling for Reflectance Acquisition* (2015), section 4.1).
 
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 use crate::nbrdf::objective::DARKEST;
 use crate::{Directions, Rgb};
@@ -17,7 +17,7 @@ const LARGEST_LOG: f32 = 80.0;
 const LARGEST_PLAIN: f32 = 1e30;
 
 /// What a number stands for, of a reflectance f \[1/sr\].
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Values {
     /// f c, c = cos θ_i floored at 0.05. Nothing keeps sums of such tables from becoming negative.

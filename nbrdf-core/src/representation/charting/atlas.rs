@@ -42,9 +42,9 @@ impl Options {
 
 /// Charts of a manifold, connected into one.
 pub struct Atlas {
-    mapping: Mapping,
-    agreement: Vec<f64>,
-    dim: usize,
+    pub(super) mapping: Mapping,
+    pub(super) agreement: Vec<f64>,
+    pub(super) dim: usize,
 }
 
 impl Atlas {

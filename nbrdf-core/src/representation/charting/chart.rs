@@ -21,7 +21,7 @@ pub(super) struct Chart {
     /// Variance along each axis.
     pub variances: Vec<f64>,
     /// Variance along every direction off the axes.
-    off: f64,
+    pub off: f64,
     /// Logarithm of the determinant.
     log_determinant: f64,
 }
@@ -38,10 +38,15 @@ impl Chart {
         let rest = size - dim;
         let off = ((dim..size).map(value).sum::<f64>() / rest.max(1) as f64).max(least);
         let axis = |k: usize| (0..size).map(|row| eigen.U()[(row, size - 1 - k)]).collect();
+        let chart = Self::of_axes(mean.to_vec(), (0..dim).map(axis).collect(), variances, off);
+        chart.log_determinant.is_finite().then_some(chart)
+    }
+
+    /// With axes, variances along them, and the one off them.
+    pub fn of_axes(mean: Vec<f64>, axes: Vec<Vec<f64>>, variances: Vec<f64>, off: f64) -> Self {
+        let rest = mean.len() - variances.len();
         let log_determinant = variances.iter().map(|v| v.ln()).sum::<f64>() + rest as f64 * off.ln();
-        let finite = log_determinant.is_finite();
-        let axes = (0..dim).map(axis).collect();
-        finite.then(|| Self { mean: mean.to_vec(), axes, variances, off, log_determinant })
+        Self { mean, axes, variances, off, log_determinant }
     }
 
     /// Coordinates of a point's projection, u = W (y − μ).

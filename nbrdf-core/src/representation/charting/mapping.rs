@@ -34,7 +34,9 @@ pub(super) struct Placed {
 pub(super) struct Mapping {
     pub placed: Vec<Placed>,
     /// Temperature of the posteriors of data, and of coordinates.
-    temperatures: [f64; 2],
+    pub temperatures: [f64; 2],
+    /// Mean square of a coordinate's disagreement between charts.
+    pub noise: f64,
 }
 
 impl Mapping {
@@ -47,19 +49,8 @@ impl Mapping {
         temperature_of_data: f64,
         shared: f64,
     ) -> Result<Self, ChartingError> {
-        let mut mapping = Self { placed: Vec::new(), temperatures: [temperature_of_data, 1.0] };
         let dim = maps[0].offset.len();
-        let identity = |size: usize| Mat::<f64>::identity(size, size);
-        let parts = charts.into_iter().zip(maps);
-        mapping.placed = parts
-            .map(|(chart, map)| Placed {
-                chart,
-                map,
-                gain: identity(dim),
-                precision: identity(dim),
-                log_determinant: 0.0,
-            })
-            .collect();
+        let mut mapping = Self::one_way(charts, maps, [temperature_of_data, 1.0]);
         let coordinates: Vec<Vec<f64>> = points.iter().map(|point| mapping.forward(point)).collect();
         let apart = |(point, place): (&Vec<f64>, &Vec<f64>)| {
             let weights = mapping.posterior_of_data(point);
@@ -69,14 +60,36 @@ impl Mapping {
         let values = (points.len() * dim) as f64;
         let variance = coordinates.iter().map(|x| dot(x, x)).sum::<f64>() / values;
         let disagreement = points.iter().zip(&coordinates).map(apart).sum::<f64>() / values;
-        // Mean square of a coordinate's disagreement between charts.
-        let noise = disagreement.max(1e-10 * variance);
-        for placed in &mut mapping.placed {
-            placed.invert(noise)?;
-        }
+        mapping.invert(disagreement.max(1e-10 * variance))?;
         let densities: Vec<Vec<f64>> = coordinates.iter().map(|x| mapping.log_densities(x)).collect();
         mapping.temperatures[1] = temperature(&densities, shared);
         Ok(mapping)
+    }
+
+    /// Charts of these maps, with the noise and the temperatures that were found for them.
+    pub fn of_noise(
+        charts: Vec<Chart>,
+        maps: Vec<Affine>,
+        noise: f64,
+        temperatures: [f64; 2],
+    ) -> Result<Self, ChartingError> {
+        let mut mapping = Self::one_way(charts, maps, temperatures);
+        mapping.invert(noise)?;
+        Ok(mapping)
+    }
+
+    /// The way forward alone.
+    fn one_way(charts: Vec<Chart>, maps: Vec<Affine>, temperatures: [f64; 2]) -> Self {
+        let dim = maps[0].offset.len();
+        let identity = || Mat::<f64>::identity(dim, dim);
+        let place = |(chart, map)| Placed { chart, map, gain: identity(), precision: identity(), log_determinant: 0.0 };
+        Self { placed: charts.into_iter().zip(maps).map(place).collect(), temperatures, noise: 0.0 }
+    }
+
+    /// The way back.
+    fn invert(&mut self, noise: f64) -> Result<(), ChartingError> {
+        self.noise = noise;
+        self.placed.iter_mut().try_for_each(|placed| placed.invert(noise))
     }
 
     /// Chart coordinates of a point.

@@ -10,10 +10,10 @@ use crate::representation::pca::{Pca, PcaError};
 
 /// All principal components of the training tables: distances between tables are those between their coordinates.
 pub struct Span {
-    pca: Pca,
-    training: Vec<Vec<f64>>,
-    names: Vec<String>,
-    checkpoint: String,
+    pub(super) pca: Pca,
+    pub(super) training: Vec<Vec<f64>>,
+    pub(super) names: Vec<String>,
+    pub(super) checkpoint: String,
 }
 
 impl Span {
@@ -55,6 +55,11 @@ impl Span {
     /// Bytes of mean and components.
     pub fn bytes(&self) -> usize {
         self.pca.bytes()
+    }
+
+    /// Hash of the training materials.
+    pub(super) fn learned_from(&self) -> &str {
+        &self.checkpoint
     }
 
     /// Hash of what a chart is learned from.

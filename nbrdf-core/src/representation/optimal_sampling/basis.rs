@@ -8,10 +8,12 @@
 use faer::Mat;
 use rayon::prelude::*;
 
+use super::super::basis::BasisFile;
 use super::super::log_table::{self, TABLE_LEN, corners, measurable, sources};
 use super::super::measured_tables::{BasisError, MeasuredTables};
 use super::super::pca::Pca;
 use super::super::value_table::ValueTable;
+use crate::tensor_file::{Numbers, TensorFileError};
 use crate::{Directions, Rgb};
 
 /// Cells that a thread takes at once.
@@ -48,10 +50,33 @@ impl LogRelative {
             |index: usize| pca.components[index % components][index / components] * scales[index % components];
         let loadings = (0..places.len() * components).into_par_iter().map(loading).collect();
         let base = pca.mean;
-        let mut slots = vec![0; TABLE_LEN / 3];
-        places.iter().zip(0..).for_each(|(&cell, slot)| slots[cell] = slot);
-        let slots = sources().iter().map(|&source| slots[source]).collect();
-        Ok(Self { loadings, base, components, rows: count, slots })
+        Ok(Self { loadings, base, components, rows: count, slots: slots() })
+    }
+
+    /// With `loadings` \[cells, components\] and `base` \[cells\].
+    pub(in crate::representation) fn write_into(&self, file: BasisFile) -> BasisFile {
+        let cells = self.base.len();
+        file.with("loadings", &[cells, self.components], Numbers::F32(self.loadings.clone())).with(
+            "base",
+            &[cells],
+            Numbers::F32(self.base.clone()),
+        )
+    }
+
+    /// Of a file that also says how many rows it was learned from.
+    pub(in crate::representation) fn of_file(file: &BasisFile) -> Result<Self, TensorFileError> {
+        #[derive(serde::Deserialize)]
+        struct Details {
+            rows: usize,
+        }
+        let Details { rows } = file.details()?;
+        let cells = measurable().len();
+        let components = match file.shape("loadings")? {
+            &[_, components] if (1..rows).contains(&components) => components,
+            found => return Err(file.lacks("fewer loadings than rows learned from", format!("{found:?} of {rows}"))),
+        };
+        let loadings = file.tensor("loadings", &[cells, components])?.to_vec();
+        Ok(Self { loadings, base: file.tensor("base", &[cells])?.to_vec(), components, rows, slots: slots() })
     }
 
     /// Number of components.
@@ -146,6 +171,13 @@ impl SeenComponents {
         let loadings: Vec<Vec<f64>> = at.par_iter().map(|&at| basis.loadings_at(at)).collect();
         Self { at: at.to_vec(), base, loadings: loadings.into_iter().flatten().map(|v| v as f32).collect() }
     }
+}
+
+/// The place among the cells above the horizon at which the values of each cell are.
+fn slots() -> Vec<u32> {
+    let mut slots = vec![0; TABLE_LEN / 3];
+    measurable().iter().zip(0..).for_each(|(&cell, slot)| slots[cell] = slot);
+    sources().iter().map(|&source| slots[source]).collect()
 }
 
 fn dot(a: &[f32], b: &[f32]) -> f32 {

@@ -1,0 +1,88 @@
+//! `nbrdf learn`: a basis, for codes that travel with it.
+
+use std::path::PathBuf;
+
+use anyhow::Result;
+use clap::{Args, ValueEnum};
+use nbrdf_core::Library;
+use nbrdf_core::representation::grid::Grid;
+use serde_json::json;
+
+use super::Global;
+use crate::catalog::{BasisSize, Catalog};
+use crate::failure::Failure;
+use crate::{output, report};
+
+/// Learns a linear basis, a chart or directions from a library's training materials. `--checkpoint` takes the file
+/// wherever codes are made or read.
+#[derive(Debug, Args)]
+pub struct Learn {
+    /// Representation to learn: pca_tables, charting_15, linear_combination, optimal_sampling_20, ...
+    #[arg(value_name = "NAME")]
+    name: String,
+    /// Library to learn from; the built-in one by default.
+    #[arg(long, value_name = "PATH")]
+    library: Option<PathBuf>,
+    /// File to write (.safetensors).
+    #[arg(short, long, value_name = "FILE")]
+    output: PathBuf,
+    /// Components of a PCA, coordinates of a chart, or directions of optimal sampling, in place of those in the name.
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=512))]
+    numbers: Option<u16>,
+    /// Cells of a PCA's tables: 60 x 40 x 80, or the 90 x 90 x 180 of MERL with 8 times the memory.
+    #[arg(long, value_enum)]
+    grid: Option<Cells>,
+    /// Leave the validation materials out too: for making choices.
+    #[arg(long)]
+    validate: bool,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum Cells {
+    Coarse,
+    Merl,
+}
+
+impl Learn {
+    /// Runs the command.
+    pub fn run(&self, global: &Global) -> Result<()> {
+        output::check(&self.output, &["safetensors"])?;
+        self.check()?;
+        let library = self.library.as_deref().map(Library::load).transpose()?;
+        let grid = self.grid.map(|cells| match cells {
+            Cells::Coarse => Grid::Coarse,
+            Cells::Merl => Grid::Merl,
+        });
+        let size = BasisSize { numbers: self.numbers.map(usize::from), grid };
+        let catalog = Catalog::for_learning(library, size);
+        let catalog = if self.validate { catalog.without_validation() } else { catalog };
+        let file = catalog.learn(&self.name)?;
+        let basis = catalog.representation(&self.name, false)?;
+        file.save(&self.output)?;
+        let summary = json!({
+            "schema": 1, "name": basis.name(), "checkpoint": basis.checkpoint(), "dim": basis.dim(),
+            "code_bytes": basis.code_bytes(), "shared_bytes": basis.shared_bytes(),
+            "materials": catalog.training_materials().len(),
+        });
+        report::print(global, &summary, || {
+            let (name, checkpoint, numbers) = (basis.name(), basis.checkpoint(), basis.dim());
+            format!("{name} {checkpoint}, codes of {numbers} numbers, in {}\n", self.output.display())
+        })
+    }
+
+    /// Refuses a size that this representation does not have.
+    fn check(&self) -> Result<()> {
+        let name = &self.name;
+        let is_pca_of_tables = name.starts_with("pca") && name != "pca_weights";
+        let refused = match () {
+            () if self.numbers.is_some() && name.starts_with("linear_combination") => {
+                format!("{name} has three numbers for every material: leave out --numbers")
+            }
+            () if self.grid.is_some() && !is_pca_of_tables => {
+                format!("{name} is learned over one grid: leave out --grid")
+            }
+            () => return Ok(()),
+        };
+        Err(Failure::Usage(refused).into())
+    }
+}
