@@ -9,6 +9,7 @@ use anyhow::{Context, Result};
 use clap::Args;
 use nbrdf_core::library::{Entry, builtin, is_name};
 use nbrdf_core::measured::{self, Measured, is_measured};
+use nbrdf_core::nbrdf::file::read_anisotropic;
 use nbrdf_core::{Code, Library, Material, Split};
 
 pub use code_file::{MAX_NUMBERS, STDIN, read_code};
@@ -35,6 +36,7 @@ pub struct Shelf {
 }
 
 /// A material, and where it comes from.
+#[derive(Clone)]
 pub struct Item {
     /// The reflectance, and the network where there is one.
     pub material: Material,
@@ -42,6 +44,8 @@ pub struct Item {
     pub entry: Option<Entry>,
     /// Its code, if a code was named.
     pub code: Option<Code>,
+    /// Whether it changes when it is turned: then it has no code, and figures of one azimuth say little of it.
+    turns: bool,
 }
 
 impl Sources {
@@ -65,6 +69,10 @@ impl Shelf {
 
     /// A name in the library, or the file of a network or measurement.
     pub fn material(&self, argument: &str) -> Result<Item> {
+        self.any_material(argument)?.isotropic(argument)
+    }
+
+    fn any_material(&self, argument: &str) -> Result<Item> {
         match self.library().get(argument) {
             Ok(entry) => Ok(Item::of_entry(entry.clone())),
             Err(_) if argument == STDIN => {
@@ -77,10 +85,15 @@ impl Shelf {
 
     /// A name in the library, the file of a network, or a code.
     pub fn material_or_code(&self, argument: &str) -> Result<Item> {
+        self.any(argument)?.isotropic(argument)
+    }
+
+    /// The same, or a material that changes when it is turned: to be looked at.
+    pub fn any(&self, argument: &str) -> Result<Item> {
         if self.library().get(argument).is_err() && code_file::means_a_code(argument) {
             return self.code(argument);
         }
-        self.material(argument)
+        self.any_material(argument)
     }
 
     /// A code's file, or standard input for `-`, decoded by the model it names.
@@ -96,13 +109,29 @@ impl Shelf {
             Some(network) => Material::from_network(name, network),
             None => Material::new(name, Arc::from(representation.decode(&code).with_context(|| file.clone())?)),
         };
-        Ok(Item { material, entry: None, code: Some(code) })
+        Ok(Item { material, entry: None, code: Some(code), turns: false })
     }
 }
 
 impl Item {
     fn of_entry(entry: Entry) -> Self {
-        Self { material: entry.material(), entry: Some(entry), code: None }
+        Self { material: entry.material(), entry: Some(entry), code: None, turns: false }
+    }
+
+    fn of_file(material: Material, turns: bool) -> Self {
+        Self { material, entry: None, code: None, turns }
+    }
+
+    /// Itself, if it is the same however it is turned.
+    fn isotropic(self, argument: &str) -> Result<Self> {
+        if self.turns {
+            return Err(Failure::InvalidFile(format!(
+                "{argument}: expected an isotropic material, found one that changes when it is turned: `nbrdf fit` makes \
+                 a network of it and `nbrdf render` shows it; it has no code"
+            ))
+            .into());
+        }
+        Ok(self)
     }
 
     /// The split it belongs to; none for what is in no standard database.
@@ -124,7 +153,8 @@ fn measured_in(path: &Path) -> Result<Item> {
         return Err(Failure::InvalidFile(format!("{path}: expected a printable name: rename the file")).into());
     }
     match Measured::load(path)? {
-        Measured::Everywhere(table) => Ok(Item { material: measured::material(path, table), entry: None, code: None }),
+        Measured::Everywhere(table) => Ok(Item::of_file(measured::material(path, table), false)),
+        Measured::Turning(table) => Ok(Item::of_file(measured::material(path, table), true)),
         Measured::Somewhere(_) => {
             let path = path.display();
             let found = format!(
@@ -156,6 +186,9 @@ fn network_in(path: &Path) -> Result<Item> {
     if !path.exists() {
         let found = format!("{}: expected the file of a network, found no such file", path.display());
         return Err(Failure::InvalidFile(format!("{found}: check the path; `nbrdf list` names the materials")).into());
+    }
+    if let Some(network) = read_anisotropic(path)? {
+        return Ok(Item::of_file(measured::material(path, Arc::new(network)), true));
     }
     let mut entries = Library::load(path)?.into_entries();
     match (entries.pop(), entries.len()) {

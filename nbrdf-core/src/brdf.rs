@@ -16,7 +16,7 @@ pub mod table;
 mod vectors;
 pub mod ward;
 
-pub use prepared::Prepared;
+pub use prepared::{Azimuth, Prepared};
 
 use std::any::Any;
 

@@ -68,6 +68,12 @@ impl Directions {
         self.half_diff_and_azimuth().0
     }
 
+    /// As [`half_diff`](Self::half_diff), with the half vector as it is: what networks of anisotropic materials read.
+    pub fn turning_half_diff(self) -> HalfDiff {
+        let (HalfDiff { half, diff }, (cos, sin)) = self.half_diff_and_azimuth();
+        HalfDiff { half: Vec3::new(half.x * cos, half.x * sin, half.z), diff }
+    }
+
     /// The four angles.
     pub fn rusinkiewicz(self) -> Rusinkiewicz {
         let (HalfDiff { half, diff }, azimuth) = self.half_diff_and_azimuth();
@@ -107,6 +113,13 @@ impl Rusinkiewicz {
         let d = spherical(self.theta_diff, self.phi_diff);
         Directions::new(to_surface(d), to_surface(Vec3::new(-d.x, -d.y, d.z)))
     }
+}
+
+/// Light and view turned about the normal by an angle \[rad\].
+pub fn turned(at: Directions, angle: f32) -> Directions {
+    let (sin, cos) = angle.sin_cos();
+    let turn = |v: Vec3| Vec3::new(cos * v.x - sin * v.y, sin * v.x + cos * v.y, v.z);
+    Directions::new(turn(at.light), turn(at.view))
 }
 
 /// Unit vector from polar angle and azimuth \[rad\].

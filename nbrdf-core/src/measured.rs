@@ -16,6 +16,8 @@ pub const EXTENSIONS: [&str; 4] = ["binary", "bsdf", "brdf", "csv"];
 pub enum Measured {
     /// Everywhere: a MERL (`.binary`) or RGL (`.bsdf`) table, ready to be asked.
     Everywhere(Arc<dyn Brdf>),
+    /// Everywhere, and of a material that changes when it is turned.
+    Turning(Arc<dyn Brdf>),
     /// At some pairs of directions: a goniometer's text (`.brdf`) or values in `.csv`.
     Somewhere(SampleList),
 }
@@ -42,11 +44,6 @@ pub enum MeasuredProblem {
     /// No samples.
     #[error(transparent)]
     List(#[from] SampleListError),
-    /// A material that changes when it is turned.
-    #[error(
-        "expected an isotropic material, found one that changes when it is turned: codes and networks here keep no azimuth of the half vector"
-    )]
-    Anisotropic,
     /// The name says nothing that is read here.
     #[error("expected the extension .binary, .bsdf, .brdf or .csv")]
     Extension,
@@ -63,7 +60,7 @@ impl Measured {
                 "binary" => Self::Everywhere(Arc::new(Merl::load(path)?.table(Lookup::Trilinear))),
                 "bsdf" => match RglTable::load(path)? {
                     table if table.is_isotropic() => Self::Everywhere(Arc::new(table)),
-                    _ => return Err(MeasuredProblem::Anisotropic),
+                    table => Self::Turning(Arc::new(table)),
                 },
                 "brdf" | "csv" => Self::Somewhere(SampleList::load(path)?),
                 _ => return Err(MeasuredProblem::Extension),

@@ -4,6 +4,7 @@
 //! doi 10.1111/cgf.14335, section 3: f = exp(W₃ relu(W₂ relu(W₁ (h, d) + b₁) + b₂) + b₃) − 1, 6-21-21-3.
 //! Differs from the paper: the result is clamped at 0 on evaluation, y is capped so that `exp` stays finite.
 
+pub mod anisotropic;
 pub mod corridor;
 pub mod file;
 pub mod fit;
@@ -23,7 +24,7 @@ pub mod tangent;
 use std::any::Any;
 use std::ops::Range;
 
-use crate::brdf::Prepared;
+use crate::brdf::{Azimuth, Prepared};
 use crate::simd::InstructionSet;
 use crate::{Brdf, Directions, Rgb};
 use kernel::{Packed, Sign};
@@ -188,7 +189,7 @@ impl Nbrdf {
     /// # Panics
     /// If `at` and `out` differ in length (a bug of the caller).
     pub fn eval_with(&self, set: InstructionSet, at: &[Directions], out: &mut [Rgb]) {
-        kernel::forward(set, &self.packed, Sign::Clamped, at, out);
+        kernel::forward(set, &self.packed, Sign::Clamped, (at, Azimuth::Dropped), out);
     }
 
     /// As [`eval_with`](Self::eval_with), from prepared pairs: the network alone.
@@ -196,7 +197,10 @@ impl Nbrdf {
     /// # Panics
     /// If `at` and `out` differ in length (a bug of the caller).
     pub fn eval_prepared_with(&self, set: InstructionSet, at: &Prepared, out: &mut [Rgb]) {
-        kernel::forward_blocks(set, &self.packed, Sign::Clamped, at.blocks(), out);
+        match at.azimuth() {
+            Azimuth::Dropped => kernel::forward_blocks(set, &self.packed, Sign::Clamped, at.blocks(), out),
+            Azimuth::Kept => self.eval_with(set, at.directions(), out),
+        }
     }
 
     /// Where each array lies in [`weights`](Self::weights).
@@ -221,7 +225,7 @@ impl Brdf for Nbrdf {
     }
 
     fn eval_signed_into(&self, at: &[Directions], out: &mut [Rgb]) {
-        kernel::forward(InstructionSet::fastest(), &self.packed, Sign::Kept, at, out);
+        kernel::forward(InstructionSet::fastest(), &self.packed, Sign::Kept, (at, Azimuth::Dropped), out);
     }
 }
 

@@ -4,18 +4,18 @@
 //! half vectors are warped by the material's own distribution of visible normals, so that few samples fall where much
 //! happens. Stored values are f_r · cos θ of the light; the eye is the first direction. Isotropic files hold one φ.
 
+mod fields;
 mod grid;
-mod tensor_file;
 
 use std::f32::consts::{PI, TAU};
 use std::io;
 use std::path::Path;
 
 use crate::{Brdf, Directions, Rgb, Vec3, bounded};
+use fields::{Fields, mismatch};
 use grid::{Grid, Warp};
-use tensor_file::{TensorFile, mismatch};
 
-pub use tensor_file::TensorFileError;
+pub use fields::FieldError;
 
 /// Largest file that is read \[bytes\]; published ones with RGB data stay below 60 MB.
 const MAX_FILE: u64 = 256 << 20;
@@ -48,7 +48,7 @@ pub enum RglError {
     TooLarge,
     /// Not the tensors of a material.
     #[error(transparent)]
-    Tensors(#[from] TensorFileError),
+    Tensors(#[from] FieldError),
 }
 
 impl RglTable {
@@ -66,8 +66,8 @@ impl RglTable {
     /// # Errors
     /// [`RglError::Tensors`].
     pub fn parse(bytes: &[u8]) -> Result<Self, RglError> {
-        let file = TensorFile::parse(bytes)?;
-        let places = |name: &str| -> Result<Vec<f32>, TensorFileError> {
+        let file = Fields::parse(bytes)?;
+        let places = |name: &str| -> Result<Vec<f32>, FieldError> {
             let tensor = file.floats(name)?;
             let rises = tensor.values.windows(2).all(|pair| pair[0] < pair[1]);
             match tensor.shape.len() == 1 && !tensor.values.is_empty() && rises {
@@ -81,7 +81,7 @@ impl RglTable {
         if phi.len() > 2 && (TAU / turn).round() != 1.0 {
             return Err(mismatch("phi_i", "azimuths over the whole circle", format!("{turn} radians")).into());
         }
-        let grid = |name: &str, parameters: Vec<Vec<f32>>| -> Result<Grid, TensorFileError> {
+        let grid = |name: &str, parameters: Vec<Vec<f32>>| -> Result<Grid, FieldError> {
             let tensor = file.floats(name)?;
             let leading: Vec<usize> = parameters.iter().map(Vec::len).collect();
             let is_as_expected = tensor.shape.len() == leading.len() + 2

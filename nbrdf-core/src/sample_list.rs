@@ -97,6 +97,7 @@ impl SampleList {
             part.at.push(at);
             part.values.push(value);
         }
+        parts[1].below = self.below;
         parts
     }
 

@@ -8,6 +8,7 @@ use std::{
 use glam::DVec3;
 use rayon::prelude::*;
 
+use crate::direction::turned;
 use crate::{Brdf, Directions, Rgb, Rusinkiewicz};
 
 /// Candidates of [`rus32k`], before those below a horizon are dropped.
@@ -29,6 +30,14 @@ const BATCH: usize = 4096;
 pub fn rus32k() -> &'static [Directions] {
     static SET: OnceLock<Vec<Directions>> = OnceLock::new();
     SET.get_or_init(|| (0..RUS32K_CANDIDATES).filter_map(rus32k_candidate).collect())
+}
+
+/// [`rus32k`], every pair turned about the normal by the next multiple of the golden angle: for materials that change when
+/// they are turned.
+pub fn turned_rus32k() -> Vec<Directions> {
+    let golden = TAU * (1.0 - 2.0 / (1.0 + 5.0f64.sqrt()));
+    let angle = |k: usize| ((k as f64 * golden) % TAU) as f32;
+    rus32k().iter().enumerate().map(|(k, &at)| turned(at, angle(k))).collect()
 }
 
 fn rus32k_candidate(k: u32) -> Option<Directions> {

@@ -1,6 +1,6 @@
 //! Measured files: MERL tables against numbers made by NumPy, RGL tables against the published networks, goniometer data.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use nbrdf_core::brdf::ggx::Ggx;
 use nbrdf_core::brdf::table::{CELLS, Lookup};
@@ -111,6 +111,23 @@ fn rgl_tables_are_read_as_mitsuba_reads_them() {
                 let (found, wanted) = (f64::from(found[channel]), wanted[channel]);
                 assert!((found - wanted).abs() < 2e-3 * wanted + 1e-4, "{name} at {at:?}: {found}, {wanted}");
             }
+        }
+    }
+}
+
+#[test]
+fn a_table_that_changes_when_it_is_turned_is_read_as_mitsuba_reads_it() {
+    let golden = golden("rgl.json");
+    let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("../tests/golden/brushed.bsdf");
+    let table = RglTable::load(&file).unwrap();
+    assert!(!table.is_isotropic());
+    assert!(matches!(Measured::load(&file).unwrap(), Measured::Turning(_)));
+    for (i, wanted) in golden["f"]["brushed"].as_array().unwrap().iter().enumerate() {
+        let at = Directions::new(vector(&golden["light"][i]), vector(&golden["view"][i]));
+        let (found, wanted) = (table.eval(at), three(wanted));
+        for channel in 0..3 {
+            let (found, wanted) = (f64::from(found[channel]), wanted[channel]);
+            assert!((found - wanted).abs() < 2e-3 * wanted + 1e-5, "{at:?}: {found}, {wanted}");
         }
     }
 }

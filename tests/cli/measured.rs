@@ -31,6 +31,29 @@ fn measured_files_are_materials_and_networks_are_fitted_to_them() {
 }
 
 #[test]
+fn a_brushed_metal_is_fitted_with_its_azimuth_rendered_and_refused_a_code() {
+    let place = Place::new();
+    let brushed = concat!(env!("CARGO_MANIFEST_DIR"), "/../tests/golden/brushed.bsdf");
+    place.run(&["render", brushed, "-o", "table.png", "--size", "32"]).ok();
+    let said = place.run(&["encode", brushed]).fails(3);
+    assert!(said.contains("brushed.bsdf") && said.contains("it has no code"), "{said}");
+    place.run(&["fit", brushed, "-o", "b.npz"]).fails(2);
+    let fit = |output: &str| place.run(&["fit", brushed, "-o", output, "--steps", "3000", "--json"]).json();
+    let fitted = fit("b.safetensors");
+    assert_eq!(fitted["anisotropic"], true);
+    let error = fitted["error"]["log_error"].as_f64().unwrap();
+    assert!(error < 0.06, "{error}");
+    place.run(&["render", "b.safetensors", "-o", "b.png", "--size", "32"]).ok();
+    for command in [&["encode", "b.safetensors"][..], &["info", "b.safetensors"], &["blend", "b.safetensors", "chrome"]]
+    {
+        let said = place.run(command).fails(3);
+        assert!(said.contains("changes when it is turned"), "{said}");
+    }
+    let said = place.run(&["import", "b.safetensors", "-o", "library"]).fails(3);
+    assert!(said.contains("isotropic"), "{said}");
+}
+
+#[test]
 fn files_that_are_no_measurement_exit_with_3_and_write_nothing() {
     let place = Place::new();
     for (name, bytes) in [

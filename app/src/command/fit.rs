@@ -1,23 +1,26 @@
 //! `nbrdf fit`: a network from measured data.
 
+mod fitted;
+mod judge;
+
 use std::path::PathBuf;
 
-use anyhow::{Context, Result};
+use anyhow::Result;
 use clap::Args;
+use nbrdf_core::Nbrdf;
 use nbrdf_core::library::builtin;
 use nbrdf_core::measured::{self, Measured};
-use nbrdf_core::metric::{ImageMetric, LogError, Metric, Rendered};
-use nbrdf_core::nbrdf::fit::{FitOptions, fit, fit_list, random_hidden};
-use nbrdf_core::nbrdf::{MAX_HIDDEN, file};
-use nbrdf_core::representation::analytic::{Analytic, GgxLobe, LambertAlone, Parametric};
+use nbrdf_core::metric::albedo_max;
+use nbrdf_core::nbrdf::MAX_HIDDEN;
+use nbrdf_core::nbrdf::fit::{FitOptions, random_hidden};
 use nbrdf_core::sample_list::SampleList;
-use nbrdf_core::sampling::evaluate;
-use nbrdf_core::{Brdf, Material, Nbrdf};
 use serde_json::{Value, json};
 
-use super::{Global, warn_of_energy};
+use super::Global;
 use crate::failure::Failure;
 use crate::{output, progress, report};
+use fitted::Fitted;
+use judge::{samples_error, table_error};
 
 /// Fits a network to a measurement: MERL .binary, RGL .bsdf, goniometer text .brdf, or values in .csv.
 #[derive(Debug, Args)]
@@ -37,6 +40,10 @@ pub struct Fit {
     /// Leave out every N-th sample of a list, and judge by these.
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(2..))]
     leave_out: Option<u16>,
+    /// Let the network read how light and view are turned about the normal, for brushed metals and fabrics. RGL files say
+    /// themselves whether it matters. Such a network is a .safetensors; it is rendered, and has no code.
+    #[arg(long)]
+    anisotropic: bool,
 }
 
 impl Fit {
@@ -44,9 +51,11 @@ impl Fit {
     pub fn run(&self, global: &Global) -> Result<()> {
         output::check(&self.output, &output::NETWORKS)?;
         let measured = Measured::load(&self.source)?;
-        if self.leave_out.is_some() && matches!(measured, Measured::Everywhere(_)) {
-            return Err(Failure::Usage("--leave-out is for lists of samples: a table is fitted whole".into()).into());
+        let turns = self.anisotropic || matches!(measured, Measured::Turning(_));
+        if turns {
+            output::check(&self.output, &["safetensors"])?;
         }
+        let (measured, judged) = self.leave_out(measured)?;
         let start = self.start(global.seed());
         let options = FitOptions { steps: self.steps as usize, ..FitOptions::shared_start(global.seed()) };
         let bar = progress::bar(self.steps.into(), "fitting", global.quiet);
@@ -54,44 +63,39 @@ impl Fit {
             bar.inc(64);
             progress::cancelled()
         };
-        let (network, error) = match &measured {
-            Measured::Everywhere(table) => {
-                let network = fit(&start, table.as_ref(), options, &cancelled);
-                let network = done(network)?;
-                let error = table_error(table.as_ref(), &network);
-                (network, error)
-            }
-            Measured::Somewhere(list) => {
-                let (judged, fitted) = match self.leave_out {
-                    Some(n) => {
-                        let [out, rest] = list.split(n.into(), 0);
-                        (out, rest)
-                    }
-                    None => (list.clone(), list.clone()),
-                };
-                if fitted.is_empty() {
-                    return Err(Failure::Usage("--leave-out leaves no sample to fit to".into()).into());
-                }
-                let network = done(fit_list(&start, &fitted, options, &cancelled))?;
-                let error = json!({
-                    "samples": fitted.len(), "judged": judged.len(), "below_horizon": list.below,
-                    "mean_relative_error": relative_error(&judged, &network),
-                    "of_lambert": formula_error::<LambertAlone>(&fitted, &judged),
-                    "of_lambert_ggx": formula_error::<GgxLobe>(&fitted, &judged),
-                });
-                (network, error)
-            }
+        let fitted = Fitted::to(&measured, turns, (&start, options), &cancelled)?;
+        let error = match &measured {
+            Measured::Everywhere(table) | Measured::Turning(table) => table_error(table.as_ref(), fitted.brdf(), turns),
+            Measured::Somewhere(list) => samples_error([list, judged.as_ref().unwrap_or(list)], fitted.brdf()),
         };
         bar.finish_and_clear();
-        let material = Material::from_network(measured::name_of(&self.source), network.clone());
-        warn_of_energy(global, &material)?;
-        file::write(&self.output, &network).with_context(|| format!("{}: cannot be written", self.output.display()))?;
+        let material = measured::name_of(&self.source);
+        global.check_energy(&material, albedo_max(fitted.brdf()))?;
+        fitted.write(&self.output)?;
         let summary = json!({
-            "schema": 1, "material": material.name, "source": self.source.display().to_string(),
-            "hidden": network.hidden(), "weights": network.weights().len(), "steps": self.steps, "seed": global.seed(),
+            "schema": 1, "material": material, "source": self.source.display().to_string(),
+            "hidden": fitted.hidden(), "weights": fitted.weights().len(), "anisotropic": turns,
+            "steps": self.steps, "seed": global.seed(),
             "output": self.output.display().to_string(), "error": error,
         });
         report::print(global, &summary, || text(&summary))
+    }
+
+    /// What is fitted to, and the samples that are left out of it.
+    fn leave_out(&self, measured: Measured) -> Result<(Measured, Option<SampleList>)> {
+        match (measured, self.leave_out) {
+            (measured, None) => Ok((measured, None)),
+            (Measured::Somewhere(list), Some(n)) => {
+                let [out, rest] = list.split(n.into(), 0);
+                if rest.is_empty() {
+                    return Err(Failure::Usage("--leave-out leaves no sample to fit to".into()).into());
+                }
+                Ok((Measured::Somewhere(rest), Some(out)))
+            }
+            (Measured::Everywhere(_) | Measured::Turning(_), Some(_)) => {
+                Err(Failure::Usage("--leave-out is for lists of samples: a table is fitted whole".into()).into())
+            }
+        }
     }
 
     /// The shared start of the built-in library, or random weights where widths differ.
@@ -114,32 +118,6 @@ fn widths(text: &str) -> Result<[usize; 2], String> {
         }
         _ => Err(format!("expected two widths of 1 to {MAX_HIDDEN}, as in 21,21")),
     }
-}
-
-fn done(fitted: Option<Nbrdf>) -> Result<Nbrdf> {
-    progress::check()?;
-    fitted.context("the fit has diverged: are all measured values finite?")
-}
-
-fn table_error(table: &dyn Brdf, network: &Nbrdf) -> Value {
-    json!({"log_error": LogError.distance(table, network), "studio_psnr": Rendered::studio(ImageMetric::Psnr).distance(table, network)})
-}
-
-/// Mean over samples and channels of |found − measured| / measured, those below a thousandth of the mean left out;
-/// none where nothing is left.
-fn relative_error(list: &SampleList, brdf: &dyn Brdf) -> Option<f64> {
-    let found = evaluate(brdf, &list.at);
-    let pairs = || list.values.iter().zip(&found).flat_map(|(a, b)| a.0.into_iter().zip(b.0));
-    let floor = 1e-3 * pairs().map(|(a, _)| f64::from(a)).sum::<f64>() / (3 * list.len()) as f64;
-    let (sum, count) = pairs()
-        .filter(|(a, _)| f64::from(*a) > floor)
-        .fold((0.0, 0_usize), |(sum, count), (a, b)| (sum + f64::from((b - a).abs() / a), count + 1));
-    (count > 0).then(|| sum / count as f64)
-}
-
-/// The same of a formula fitted to the same samples.
-fn formula_error<P: Parametric>(fitted: &SampleList, judged: &SampleList) -> Option<f64> {
-    Analytic::<P>::fit_list(fitted).and_then(|brdf| relative_error(judged, brdf.as_ref()))
 }
 
 fn text(summary: &Value) -> String {

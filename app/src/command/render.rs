@@ -69,7 +69,7 @@ impl Render {
         output::check(&self.output, &output::PICTURES)?;
         let environment = self.surroundings.open()?;
         let shelf = self.sources.open()?;
-        let item = shelf.material_or_code(&self.material)?;
+        let item = shelf.any(&self.material)?;
         warn_of_energy(global, &item.material)?;
         let light = self.light.light();
         let lamps_only = environment.is_none();

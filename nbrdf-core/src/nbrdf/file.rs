@@ -10,6 +10,7 @@ use std::{
 
 use super::{
     ARRAYS, Nbrdf,
+    anisotropic::AnisotropicNbrdf,
     keras::{self, KerasError},
     npy::{self, NpyError},
     safetensors::{self, TensorError},
@@ -113,6 +114,35 @@ pub fn write(path: &Path, network: &Nbrdf) -> io::Result<()> {
             Err(io::Error::new(io::ErrorKind::InvalidInput, what))
         }
     }
+}
+
+/// The network of an anisotropic material in a `.safetensors` file; none where the file is of another form, or holds
+/// something else.
+///
+/// # Errors
+/// As [`read`].
+pub fn read_anisotropic(path: &Path) -> Result<Option<AnisotropicNbrdf>, ReadError> {
+    let of = |problem: ReadProblem| problem.of(path.display().to_string());
+    let name = path.file_name().and_then(|name| name.to_str()).unwrap_or_default();
+    match Form::of(name) {
+        Some((Form::Safetensors, _)) => {
+            let bytes = bytes(path).map_err(of)?;
+            safetensors::read_anisotropic(&bytes).map_err(|problem| of(problem.into()))
+        }
+        _ => Ok(None),
+    }
+}
+
+/// Writes the network of an anisotropic material: `.safetensors` alone, for the other forms cannot say what it is.
+///
+/// # Errors
+/// [`io::ErrorKind::InvalidInput`] for another extension, else what the file system reports.
+pub fn write_anisotropic(path: &Path, network: &AnisotropicNbrdf) -> io::Result<()> {
+    if path.extension().is_none_or(|extension| extension != "safetensors") {
+        let what = format!("{}: expected the extension .safetensors", path.display());
+        return Err(io::Error::new(io::ErrorKind::InvalidInput, what));
+    }
+    atomic::write(path, &safetensors::write_anisotropic(network))
 }
 
 /// The network in the bytes of one file.

@@ -8,11 +8,13 @@ use rand::{Rng, RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use rayon::prelude::*;
 
+use super::anisotropic::AnisotropicNbrdf;
 use super::gradient::Backpropagation;
 use super::objective::{Objective, features, features_into, pull_back};
 use super::samples::{Angular, SampleCounts, Samples};
 use super::{Layout, Nbrdf, PUBLISHED_HIDDEN, weight_count};
 use crate::adam::{Adam, Pace};
+use crate::brdf::Azimuth;
 use crate::sample_list::SampleList;
 use crate::{Brdf, Directions, Rgb};
 
@@ -72,10 +74,14 @@ const STEPS_PER_SET: usize = 16;
 
 impl Sets {
     /// Drawn in parallel, each from a stream of its own.
-    fn new(options: &FitOptions) -> Self {
+    fn new(options: &FitOptions, azimuth: Azimuth) -> Self {
         let draw = |set| {
             let rng = &mut generator(options.seed, (1 << 40) + set);
-            Samples::drawn(rng, SampleCounts::STEP, options.angular)
+            let samples = Samples::drawn(rng, SampleCounts::STEP, options.angular);
+            match azimuth {
+                Azimuth::Dropped => samples,
+                Azimuth::Kept => samples.turned(rng),
+            }
         };
         Self((0..options.steps.div_ceil(STEPS_PER_SET).min(SETS) as u64).into_par_iter().map(draw).collect())
     }
@@ -90,7 +96,27 @@ impl Sets {
 ///
 /// `cancelled` is asked now and then; a cancelled fit returns `None`, and so does one that diverges.
 pub fn fit(start: &Nbrdf, target: &dyn Brdf, options: FitOptions, cancelled: &dyn Fn() -> bool) -> Option<Nbrdf> {
-    let sets = Sets::new(&options);
+    fit_reading(Azimuth::Dropped, start, target, options, cancelled)
+}
+
+/// As [`fit`], for a material that changes when it is turned; the start may be one that has not read the azimuth.
+pub fn fit_anisotropic(
+    start: &Nbrdf,
+    target: &dyn Brdf,
+    options: FitOptions,
+    cancelled: &dyn Fn() -> bool,
+) -> Option<AnisotropicNbrdf> {
+    fit_reading(Azimuth::Kept, start, target, options, cancelled).map(AnisotropicNbrdf::of)
+}
+
+fn fit_reading(
+    azimuth: Azimuth,
+    start: &Nbrdf,
+    target: &dyn Brdf,
+    options: FitOptions,
+    cancelled: &dyn Fn() -> bool,
+) -> Option<Nbrdf> {
+    let sets = Sets::new(&options, azimuth);
     fit_on(&sets, &sets.wanted(target), start, options, cancelled)
 }
 
@@ -98,6 +124,26 @@ pub fn fit(start: &Nbrdf, target: &dyn Brdf, options: FitOptions, cancelled: &dy
 ///
 /// `None` also if the list is empty.
 pub fn fit_list(start: &Nbrdf, list: &SampleList, options: FitOptions, cancelled: &dyn Fn() -> bool) -> Option<Nbrdf> {
+    fit_list_reading(Azimuth::Dropped, start, list, options, cancelled)
+}
+
+/// As [`fit_list`], for a material that changes when it is turned.
+pub fn fit_list_anisotropic(
+    start: &Nbrdf,
+    list: &SampleList,
+    options: FitOptions,
+    cancelled: &dyn Fn() -> bool,
+) -> Option<AnisotropicNbrdf> {
+    fit_list_reading(Azimuth::Kept, start, list, options, cancelled).map(AnisotropicNbrdf::of)
+}
+
+fn fit_list_reading(
+    azimuth: Azimuth,
+    start: &Nbrdf,
+    list: &SampleList,
+    options: FitOptions,
+    cancelled: &dyn Fn() -> bool,
+) -> Option<Nbrdf> {
     if list.is_empty() {
         return None;
     }
@@ -111,6 +157,10 @@ pub fn fit_list(start: &Nbrdf, list: &SampleList, options: FitOptions, cancelled
             picks.iter().map(|&(i, swap)| if swap { list.at[i].swapped() } else { list.at[i] }).collect();
         let factors = at.iter().map(|at| at.light.z).collect();
         let samples = Samples::new(counts, at, factors);
+        let samples = match azimuth {
+            Azimuth::Dropped => samples,
+            Azimuth::Kept => samples.keeping_azimuth(),
+        };
         let values: Vec<Rgb> = picks.iter().map(|&(i, _)| list.values[i]).collect();
         let wanted = features(&samples, &values);
         (samples, wanted)
@@ -193,7 +243,7 @@ pub fn fit_all(
     done: &(dyn Fn() + Sync),
     cancelled: &(dyn Fn() -> bool + Sync),
 ) -> Option<Vec<Nbrdf>> {
-    let sets = Sets::new(&options);
+    let sets = Sets::new(&options, Azimuth::Dropped);
     let one = |(start, target): &(Nbrdf, &dyn Brdf)| {
         let fitted = fit_on(&sets, &sets.wanted(*target), start, options, cancelled);
         done();

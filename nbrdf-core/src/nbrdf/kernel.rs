@@ -14,6 +14,7 @@ use std::cell::RefCell;
 use pulp::{Simd, WithSimd};
 
 use super::INPUTS;
+use crate::brdf::Azimuth;
 use crate::simd::{InstructionSet, LANES, Lanes, exp_minus_one};
 use crate::{Directions, Rgb};
 use dense::dense;
@@ -97,7 +98,7 @@ pub(crate) enum Sign {
 #[derive(Clone, Copy)]
 enum Source<'a> {
     /// Pairs, converted block by block.
-    Directions(&'a [Directions]),
+    Directions(&'a [Directions], Azimuth),
     /// Blocks that were converted before.
     Blocks(&'a [Block]),
 }
@@ -120,8 +121,8 @@ impl WithSimd for Evaluate<'_> {
         for (index, out) in out.chunks_mut(LANES).enumerate() {
             let block = match source {
                 Source::Blocks(blocks) => &blocks[index],
-                Source::Directions(at) => {
-                    converted.fill(simd, &at[index * LANES..][..out.len()]);
+                Source::Directions(at, azimuth) => {
+                    converted.fill(simd, &at[index * LANES..][..out.len()], azimuth);
                     &converted
                 }
             };
@@ -142,9 +143,15 @@ fn evaluate(set: InstructionSet, network: &Packed, source: Source, sign: Sign, o
 ///
 /// # Panics
 /// If `at` and `out` differ in length (a bug of the caller).
-pub(crate) fn forward(set: InstructionSet, network: &Packed, sign: Sign, at: &[Directions], out: &mut [Rgb]) {
+pub(crate) fn forward(
+    set: InstructionSet,
+    network: &Packed,
+    sign: Sign,
+    (at, azimuth): (&[Directions], Azimuth),
+    out: &mut [Rgb],
+) {
     assert_eq!(at.len(), out.len(), "one output per pair of directions");
-    evaluate(set, network, Source::Directions(at), sign, out);
+    evaluate(set, network, Source::Directions(at, azimuth), sign, out);
 }
 
 /// As [`forward`], from blocks of prepared pairs, the last of which may not be full.
@@ -158,6 +165,7 @@ pub(crate) fn forward_blocks(set: InstructionSet, network: &Packed, sign: Sign, 
 
 struct Prepare<'a> {
     at: &'a [Directions],
+    azimuth: Azimuth,
     blocks: &'a mut [Block],
 }
 
@@ -167,19 +175,19 @@ impl WithSimd for Prepare<'_> {
     #[inline(always)]
     fn with_simd<S: Simd>(self, simd: S) {
         for (at, block) in self.at.chunks(LANES).zip(self.blocks) {
-            block.fill(simd, at);
+            block.fill(simd, at, self.azimuth);
         }
     }
 }
 
 /// Pairs of directions as network inputs.
-pub(crate) fn blocks(at: &[Directions]) -> Vec<Block> {
-    blocks_with(InstructionSet::fastest(), at)
+pub(crate) fn blocks(at: &[Directions], azimuth: Azimuth) -> Vec<Block> {
+    blocks_with(InstructionSet::fastest(), at, azimuth)
 }
 
-fn blocks_with(set: InstructionSet, at: &[Directions]) -> Vec<Block> {
+fn blocks_with(set: InstructionSet, at: &[Directions], azimuth: Azimuth) -> Vec<Block> {
     let mut blocks = vec![Block::EMPTY; at.len().div_ceil(LANES)];
-    set.run(Prepare { at, blocks: &mut blocks });
+    set.run(Prepare { at, azimuth, blocks: &mut blocks });
     blocks
 }
 

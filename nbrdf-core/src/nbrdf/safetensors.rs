@@ -4,10 +4,13 @@ use std::collections::HashMap;
 
 use ::safetensors::{Dtype, SafeTensorError, SafeTensors, tensor::TensorView};
 
+use super::anisotropic::AnisotropicNbrdf;
 use super::{MAX_HIDDEN, Nbrdf, NbrdfError, PUBLISHED_HIDDEN};
 
 /// Name of the tensor.
 const TENSOR: &str = "weights";
+/// Name of the tensor of a network that reads the azimuth: readers that know no such networks find none.
+const ANISOTROPIC: &str = "anisotropic_weights";
 /// Metadata key of the hidden widths, `21,21`.
 const HIDDEN: &str = "hidden";
 
@@ -23,6 +26,11 @@ pub enum TensorError {
         /// Tensors in the file.
         found: Vec<String>,
     },
+    /// The network is one that reads the azimuth.
+    #[error(
+        "expected the network of an isotropic material, found one of a material that changes when it is turned: it can be rendered, but has no code, no paths and no place in a library"
+    )]
+    Anisotropic,
     /// A tensor is not a row of f32.
     #[error("tensor {tensor} is {found}, expected a row of F32")]
     Kind {
@@ -55,6 +63,7 @@ pub fn read_safetensors(bytes: &[u8]) -> Result<Nbrdf, TensorError> {
     let (hidden, tensors) = open(bytes)?;
     match tensors.tensor(TENSOR) {
         Ok(tensor) => network(TENSOR, &tensor, hidden),
+        Err(_) if tensors.tensor(ANISOTROPIC).is_ok() => Err(TensorError::Anisotropic),
         Err(_) => {
             let mut found: Vec<String> = tensors.names().into_iter().take(8).map(str::to_owned).collect();
             found.sort();
@@ -66,6 +75,22 @@ pub fn read_safetensors(bytes: &[u8]) -> Result<Nbrdf, TensorError> {
 /// The bytes of a `.safetensors` file that [`read_safetensors`] reads.
 pub fn write_safetensors(network: &Nbrdf) -> Vec<u8> {
     write_many([(TENSOR, network.weights())], network.hidden())
+}
+
+/// Reads one network that reads the azimuth; none where the file holds something else.
+///
+/// # Errors
+/// As [`read_safetensors`].
+pub fn read_anisotropic(bytes: &[u8]) -> Result<Option<AnisotropicNbrdf>, TensorError> {
+    let (hidden, tensors) = open(bytes)?;
+    let Ok(tensor) = tensors.tensor(ANISOTROPIC) else { return Ok(None) };
+    let read = network(ANISOTROPIC, &tensor, hidden)?;
+    Ok(Some(AnisotropicNbrdf::of(read)))
+}
+
+/// The bytes of a file that [`read_anisotropic`] reads.
+pub fn write_anisotropic(network: &AnisotropicNbrdf) -> Vec<u8> {
+    write_many([(ANISOTROPIC, network.weights())], network.hidden())
 }
 
 /// The tensors of a file and the hidden widths its metadata names.
@@ -120,6 +145,15 @@ mod tests {
 
     fn sample(hidden: [usize; 2]) -> Nbrdf {
         Nbrdf::new(hidden, (0..crate::nbrdf::weight_count(hidden)).map(|i| i as f32).collect()).unwrap()
+    }
+
+    #[test]
+    fn a_network_that_reads_the_azimuth_is_told_from_others() {
+        let network = AnisotropicNbrdf::of(sample([21, 21]));
+        let bytes = write_anisotropic(&network);
+        assert_eq!(read_anisotropic(&bytes).unwrap(), Some(network));
+        assert!(matches!(read_safetensors(&bytes), Err(TensorError::Anisotropic)));
+        assert_eq!(read_anisotropic(&write_safetensors(&sample([21, 21]))).unwrap(), None);
     }
 
     #[test]

@@ -3,7 +3,7 @@
 use rand::{Rng, RngExt};
 
 use crate::brdf::Prepared;
-use crate::direction::spherical;
+use crate::direction::{spherical, turned};
 use crate::sampling::half_difference;
 use crate::{Brdf, Directions, Rgb, Vec3};
 
@@ -114,6 +114,24 @@ impl Samples {
     pub fn new(counts: SampleCounts, directions: Vec<Directions>, factors: Vec<f32>) -> Self {
         assert!([directions.len(), factors.len()] == [counts.directions(); 2], "as many samples as counted");
         Self { counts, at: Prepared::new(directions), factors }
+    }
+
+    /// The same about the normal, each by an angle of its own and the lamps of a pixel together: for materials that change
+    /// when they are turned.
+    pub fn turned(self, rng: &mut impl Rng) -> Self {
+        let Self { counts, at, factors } = self;
+        let (single, pixels) = at.directions().split_at(counts.log + counts.relative);
+        let mut directions = Vec::with_capacity(at.len());
+        for together in single.chunks(1).chain(pixels.chunks(counts.lamps.max(1))) {
+            let angle = rng.random_range(0.0..std::f32::consts::TAU);
+            directions.extend(together.iter().map(|&at| turned(at, angle)));
+        }
+        Self { counts, at: Prepared::keeping_azimuth(directions), factors }
+    }
+
+    /// The same, read with the azimuth.
+    pub fn keeping_azimuth(self) -> Self {
+        Self { at: Prepared::keeping_azimuth(self.at.directions().to_vec()), ..self }
     }
 
     /// The reflectance at every sample.

@@ -9,7 +9,7 @@ use rand::RngExt;
 
 fn evaluated(set: InstructionSet, network: &Nbrdf, at: &[Directions]) -> Vec<Rgb> {
     let mut out = vec![Rgb::BLACK; at.len()];
-    forward(set, &network.packed, Sign::Kept, at, &mut out);
+    forward(set, &network.packed, Sign::Kept, (at, Azimuth::Dropped), &mut out);
     out
 }
 
@@ -62,7 +62,13 @@ fn any_number_of_directions_gives_the_bits_of_each_alone() {
         let alone: Vec<Rgb> = at.iter().map(|&at| evaluated(InstructionSet::fastest(), &network, &[at])[0]).collect();
         assert_eq!(bits(&together), bits(&alone));
         let mut prepared = vec![Rgb::BLACK; count];
-        forward_blocks(InstructionSet::fastest(), &network.packed, Sign::Kept, &blocks(at), &mut prepared);
+        forward_blocks(
+            InstructionSet::fastest(),
+            &network.packed,
+            Sign::Kept,
+            &blocks(at, Azimuth::Dropped),
+            &mut prepared,
+        );
         assert_eq!(bits(&together), bits(&prepared));
     }
 }
@@ -94,14 +100,19 @@ fn half_and_difference_vectors_are_those_of_the_slow_function() {
         at.push(Directions::from_angles(FRAC_PI_2 - e, 0.3, FRAC_PI_2 - 0.5 * e, 0.3 + PI + turn));
     }
     for set in InstructionSet::available() {
-        for (chunk, block) in at.chunks(LANES).zip(blocks_with(set, &at)) {
-            for (lane, pair) in chunk.iter().enumerate() {
-                let own = block.inputs.map(|lanes| lanes.0[lane]);
-                let slow = pair.half_diff();
-                let slow = [slow.half.to_array(), slow.diff.to_array()].concat();
-                for (own, &input) in own.iter().zip(&ORDER) {
-                    let (name, slow) = (set.name(), slow[input]);
-                    assert!((own - slow).abs() < 3e-7, "{name}, input {input}: {own} {slow} at {pair:?}");
+        for azimuth in [Azimuth::Dropped, Azimuth::Kept] {
+            for (chunk, block) in at.chunks(LANES).zip(blocks_with(set, &at, azimuth)) {
+                for (lane, pair) in chunk.iter().enumerate() {
+                    let own = block.inputs.map(|lanes| lanes.0[lane]);
+                    let slow = match azimuth {
+                        Azimuth::Dropped => pair.half_diff(),
+                        Azimuth::Kept => pair.turning_half_diff(),
+                    };
+                    let slow = [slow.half.to_array(), slow.diff.to_array()].concat();
+                    for (own, &input) in own.iter().zip(&ORDER) {
+                        let (name, slow) = (set.name(), slow[input]);
+                        assert!((own - slow).abs() < 3e-7, "{name}, {azimuth:?} {input}: {own} {slow} at {pair:?}");
+                    }
                 }
             }
         }
@@ -113,7 +124,7 @@ fn the_sine_of_the_half_angle_keeps_its_digits_near_the_normal() {
     for angle in [1e-2f32, 1e-4, 1e-6] {
         let at = [Directions::from_angles(0.5 + angle, 0.0, 0.5 - angle, std::f32::consts::PI)];
         for set in InstructionSet::available() {
-            let (own, slow) = (blocks_with(set, &at)[0].inputs[0].0[0], at[0].half_diff().half.x);
+            let (own, slow) = (blocks_with(set, &at, Azimuth::Dropped)[0].inputs[0].0[0], at[0].half_diff().half.x);
             assert!((own / slow - 1.0).abs() < 5e-7, "{}: {own} {slow}", set.name());
         }
     }

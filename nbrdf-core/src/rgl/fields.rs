@@ -16,7 +16,7 @@ const F32: u8 = 10;
 
 /// Why bytes are no tensor file.
 #[derive(Debug, thiserror::Error)]
-pub enum TensorFileError {
+pub enum FieldError {
     /// Another kind of file.
     #[error("expected a tensor file, version 1.0, in bytes 0..14: is it a .bsdf of the RGL database?")]
     Magic,
@@ -63,7 +63,7 @@ pub enum TensorFileError {
 }
 
 /// The fields of a file, still as bytes.
-pub(super) struct TensorFile<'a> {
+pub(super) struct Fields<'a> {
     fields: BTreeMap<String, Field<'a>>,
 }
 
@@ -86,23 +86,23 @@ struct Cursor<'a> {
 }
 
 impl<'a> Cursor<'a> {
-    fn take(&mut self, count: u64, what: &str) -> Result<&'a [u8], TensorFileError> {
+    fn take(&mut self, count: u64, what: &str) -> Result<&'a [u8], FieldError> {
         let data = slice(self.bytes, self.at, count, what)?;
         self.at += count;
         Ok(data)
     }
 
-    fn number<const N: usize>(&mut self, what: &str) -> Result<u64, TensorFileError> {
+    fn number<const N: usize>(&mut self, what: &str) -> Result<u64, FieldError> {
         let mut wide = [0; 8];
         wide[..N].copy_from_slice(self.take(N as u64, what)?);
         Ok(u64::from_le_bytes(wide))
     }
 }
 
-fn slice<'a>(bytes: &'a [u8], from: u64, count: u64, what: &str) -> Result<&'a [u8], TensorFileError> {
+fn slice<'a>(bytes: &'a [u8], from: u64, count: u64, what: &str) -> Result<&'a [u8], FieldError> {
     let to = from.saturating_add(count);
     let range = usize::try_from(from).ok().zip(usize::try_from(to).ok());
-    range.and_then(|(from, to)| bytes.get(from..to)).ok_or_else(|| TensorFileError::Short {
+    range.and_then(|(from, to)| bytes.get(from..to)).ok_or_else(|| FieldError::Short {
         what: what.to_owned(),
         from,
         to,
@@ -110,18 +110,18 @@ fn slice<'a>(bytes: &'a [u8], from: u64, count: u64, what: &str) -> Result<&'a [
     })
 }
 
-impl<'a> TensorFile<'a> {
+impl<'a> Fields<'a> {
     /// Reads the headers; nothing is copied.
-    pub fn parse(bytes: &'a [u8]) -> Result<Self, TensorFileError> {
+    pub fn parse(bytes: &'a [u8]) -> Result<Self, FieldError> {
         let rest = bytes.strip_prefix(MAGIC).and_then(|rest| rest.strip_prefix(&[1, 0]));
         if rest.is_none() {
-            return Err(TensorFileError::Magic);
+            return Err(FieldError::Magic);
         }
         let mut cursor = Cursor { bytes, at: MAGIC.len() as u64 + 2 };
         let count = cursor.number::<4>("the number of fields")?;
         if count > u64::from(MOST_FIELDS) {
             let expected = format!("{MOST_FIELDS} fields at most");
-            return Err(TensorFileError::Header { expected, found: count.to_string(), byte: cursor.at - 4 });
+            return Err(FieldError::Header { expected, found: count.to_string(), byte: cursor.at - 4 });
         }
         let mut fields = BTreeMap::new();
         for _ in 0..count {
@@ -133,7 +133,7 @@ impl<'a> TensorFile<'a> {
     }
 
     /// A field of f32; all numbers are finite.
-    pub fn floats(&self, name: &str) -> Result<Tensor, TensorFileError> {
+    pub fn floats(&self, name: &str) -> Result<Tensor, FieldError> {
         let field = self.field(name)?;
         if field.kind != F32 {
             return Err(mismatch(name, "32-bit floats", format!("type {}", field.kind)));
@@ -147,13 +147,13 @@ impl<'a> TensorFile<'a> {
     }
 
     /// A field of bytes.
-    pub fn bytes(&self, name: &str) -> Result<&'a [u8], TensorFileError> {
+    pub fn bytes(&self, name: &str) -> Result<&'a [u8], FieldError> {
         let field = self.field(name)?;
         if field.kind == U8 { Ok(field.data) } else { Err(mismatch(name, "bytes", format!("type {}", field.kind))) }
     }
 
-    fn field(&self, name: &str) -> Result<&Field<'a>, TensorFileError> {
-        self.fields.get(name).ok_or_else(|| TensorFileError::Missing {
+    fn field(&self, name: &str) -> Result<&Field<'a>, FieldError> {
+        self.fields.get(name).ok_or_else(|| FieldError::Missing {
             name: name.to_owned(),
             found: self.fields.keys().map(String::as_str).collect::<Vec<_>>().join(", "),
         })
@@ -161,13 +161,13 @@ impl<'a> TensorFile<'a> {
 }
 
 impl<'a> Field<'a> {
-    fn parse(cursor: &mut Cursor<'a>, name: &str) -> Result<Self, TensorFileError> {
+    fn parse(cursor: &mut Cursor<'a>, name: &str) -> Result<Self, FieldError> {
         let what = format!("the header of field '{name}'");
         let start = cursor.at;
         let dimensions = cursor.number::<2>(&what)?;
         if dimensions > u64::from(MOST_DIMENSIONS) {
             let expected = format!("{MOST_DIMENSIONS} dimensions at most of field '{name}'");
-            return Err(TensorFileError::Header { expected, found: dimensions.to_string(), byte: start });
+            return Err(FieldError::Header { expected, found: dimensions.to_string(), byte: start });
         }
         let kind = cursor.number::<1>(&what)? as u8;
         let offset = cursor.number::<8>(&what)?;
@@ -187,6 +187,6 @@ impl<'a> Field<'a> {
 }
 
 /// A field that is not as it should be.
-pub(super) fn mismatch(name: &str, expected: &str, found: String) -> TensorFileError {
-    TensorFileError::Field { name: name.to_owned(), expected: expected.to_owned(), found }
+pub(super) fn mismatch(name: &str, expected: &str, found: String) -> FieldError {
+    FieldError::Field { name: name.to_owned(), expected: expected.to_owned(), found }
 }

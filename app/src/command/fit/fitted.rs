@@ -1,0 +1,78 @@
+//! What a fit gives: a network, and what it reads.
+
+use std::path::Path;
+
+use anyhow::{Context, Result};
+use nbrdf_core::measured::Measured;
+use nbrdf_core::nbrdf::anisotropic::AnisotropicNbrdf;
+use nbrdf_core::nbrdf::file;
+use nbrdf_core::nbrdf::fit::{FitOptions, fit, fit_anisotropic, fit_list, fit_list_anisotropic};
+use nbrdf_core::{Brdf, Nbrdf};
+
+use crate::progress;
+
+/// A network of either kind.
+pub enum Fitted {
+    /// Of a material that is the same however it is turned.
+    Isotropic(Nbrdf),
+    /// Of one that is not.
+    Turning(AnisotropicNbrdf),
+}
+
+impl Fitted {
+    /// Fits to a measurement.
+    pub fn to(
+        measured: &Measured,
+        turns: bool,
+        (start, options): (&Nbrdf, FitOptions),
+        cancelled: &dyn Fn() -> bool,
+    ) -> Result<Self> {
+        let fitted = match measured {
+            Measured::Everywhere(table) | Measured::Turning(table) if turns => {
+                fit_anisotropic(start, table.as_ref(), options, cancelled).map(Self::Turning)
+            }
+            Measured::Everywhere(table) | Measured::Turning(table) => {
+                fit(start, table.as_ref(), options, cancelled).map(Self::Isotropic)
+            }
+            Measured::Somewhere(list) if turns => {
+                fit_list_anisotropic(start, list, options, cancelled).map(Self::Turning)
+            }
+            Measured::Somewhere(list) => fit_list(start, list, options, cancelled).map(Self::Isotropic),
+        };
+        progress::check()?;
+        fitted.context("the fit has diverged: are all measured values finite?")
+    }
+
+    /// Its reflectance.
+    pub fn brdf(&self) -> &dyn Brdf {
+        match self {
+            Self::Isotropic(network) => network,
+            Self::Turning(network) => network,
+        }
+    }
+
+    /// Hidden widths.
+    pub const fn hidden(&self) -> [usize; 2] {
+        match self {
+            Self::Isotropic(network) => network.hidden(),
+            Self::Turning(network) => network.hidden(),
+        }
+    }
+
+    /// Flattened weights.
+    pub fn weights(&self) -> &[f32] {
+        match self {
+            Self::Isotropic(network) => network.weights(),
+            Self::Turning(network) => network.weights(),
+        }
+    }
+
+    /// Writes it in the form of the path's extension.
+    pub fn write(&self, path: &Path) -> Result<()> {
+        let written = match self {
+            Self::Isotropic(network) => file::write(path, network),
+            Self::Turning(network) => file::write_anisotropic(path, network),
+        };
+        written.with_context(|| format!("{}: cannot be written", path.display()))
+    }
+}
