@@ -11,17 +11,22 @@ from results_table import ROOT
 
 
 def record(folder: Path, steps: int) -> dict:
-    """What docs/sizes.json holds: for every length the means of every variant over the held-out MERL materials."""
+    """What docs/sizes.json holds: for every length the means of every variant over the held-out MERL materials,
+    and those of plain and ordered codes over the validation materials."""
     files = numbered(folder, "size")
     if not files:
         raise Invalid(f"{folder}: expected reports size-DIM.json, found none")
     rows = []
+    order = {}
+    for name in ("plain", "ordered"):
+        variants = read(folder / f"{name}.json", "validation").items()
+        order[name] = {variant: {key: figures[key] for key in KEYS} for (_, variant, database), figures in variants if database == "merl"}
     for dim, file in files:
         variants = {variant: figures for (_, variant, database), figures in read(file, "held_out").items() if database == "merl"}
         if not variants:
             raise Invalid(f"{file}: expected rows of MERL materials, found none")
         rows.append({"dim": dim} | {variant: {key: figures[key] for key in KEYS} for variant, figures in variants.items()})
-    return {"schema": 1, "command": f"scripts/sizes.sh {steps}", "steps": steps, "rows": rows}
+    return {"schema": 1, "command": f"scripts/sizes.sh {steps}", "steps": steps, "rows": rows, "order": order}
 
 
 def main(arguments: list[str], out: Path = ROOT / "docs/sizes.json") -> int:

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Trains ZNBRDF with codes of 2 to 64 numbers, for the steps given, and records how close they come in docs/sizes.json; half an
-# hour on two cores for 8000 steps. Checkpoints and reports stay in target/sizes-STEPS, so that an interrupted run goes on where
+# Trains ZNBRDF with codes of 2 to 64 numbers, for the steps given, and records how close they come in docs/sizes.json; and what
+# 32 numbers lose, on the validation materials, where their beginning should serve alone. Half an hour on two cores for 8000 steps. Checkpoints and reports stay in target/sizes-STEPS, so that an interrupted run goes on where
 # it was: remove that folder when anything that is trained or measured has changed.
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -16,6 +16,17 @@ for dim in 2 4 8 16 32 64; do
     [ -f "$out/size-$dim.json" ] || {
         target/release/nbrdf evaluate --with znbrdf --checkpoint "$checkpoint" --json --quiet > "$out/size.json"
         mv "$out/size.json" "$out/size-$dim.json"
+    }
+done
+for order in plain ordered; do
+    checkpoint=$out/$order.safetensors
+    switch=$([ "$order" = ordered ] && echo --ordered || true)
+    # shellcheck disable=SC2086
+    [ -f "$checkpoint" ] || target/release/nbrdf train --library "$NBRDF_DATA/merl_nbrdf.zip" --validate $switch \
+        --steps "$steps" --resume -o "$checkpoint" --quiet
+    [ -f "$out/$order.json" ] || {
+        target/release/nbrdf evaluate --with znbrdf --validate --checkpoint "$checkpoint" --json --quiet > "$out/size.json"
+        mv "$out/size.json" "$out/$order.json"
     }
 done
 python3 scripts/record_sizes.py "$out" "$steps"

@@ -55,6 +55,9 @@ def test_codes_of_every_length_are_recorded_by_rising_length(tmp_path):
     for dim, error in ((32, 1.0), (4, 3.0)):
         (tmp_path / f"size-{dim}.json").write_text(json.dumps(report(error)))
     out = tmp_path / "out.json"
+    assert record_sizes.main([str(tmp_path), "8000"], out) == 3, "without the codes that are compared"
+    for name in ("plain", "ordered"):
+        (tmp_path / f"{name}.json").write_text(json.dumps(report(1.0, split="validation")))
     assert record_sizes.main([str(tmp_path), "8000"], out) == 0
     recorded = json.loads(out.read_text())
     assert [(row["dim"], row["unrolled"]["log_error"], row["refined"]["log_error"]) for row in recorded["rows"]] == [(4, 3.0, 1.5), (32, 1.0, 0.5)]

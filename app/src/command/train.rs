@@ -47,6 +47,9 @@ pub struct Train {
     /// Set the validation materials aside too, and show the error on them: for making choices.
     #[arg(long)]
     validate: bool,
+    /// Train a code whose first 4, 8 and 16 numbers serve alone: an experiment, worse at full length.
+    #[arg(long)]
+    ordered: bool,
     /// Share of each batch that is analytic materials.
     #[arg(long, value_name = "SHARE")]
     analytic: Option<f32>,
@@ -119,6 +122,10 @@ impl Train {
                 Failure::Usage(format!("the published architecture has codes of {DIM}: leave out --dim")).into()
             );
         }
+        if self.ordered && options.architecture == Architecture::Published {
+            return Err(Failure::Usage("the published architecture has no ordered codes: leave out --ordered".into()).into());
+        }
+        options.ordered = self.ordered;
         options.analytic_share = self.analytic.unwrap_or(options.analytic_share);
         if !(0.0..=1.0).contains(&options.analytic_share) {
             return Err(Failure::Usage("--analytic is a share between 0 and 1".into()).into());

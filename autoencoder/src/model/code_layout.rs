@@ -25,6 +25,14 @@ impl CodeLayout {
         Self { shared: dim - 3 * channel, channel }
     }
 
+    /// What a shorter code of `length` numbers keeps of this one, 1 or 0 for every number.
+    pub fn prefix(self, length: usize) -> impl Iterator<Item = f32> {
+        let kept = Self::new(length);
+        let shared = (0..self.shared).map(move |number| number < kept.shared);
+        let channels = (0..3 * self.channel).map(move |number| number % self.channel < kept.channel);
+        shared.chain(channels).map(|is_kept| f32::from(u8::from(is_kept)))
+    }
+
     /// As the tensors of a checkpoint say.
     pub fn of(file: &Checkpoint) -> Result<Self, CheckpointError> {
         let rows = |name: &str| file.file.shape(name).ok().and_then(|shape| shape.first().copied());

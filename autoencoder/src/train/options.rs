@@ -22,6 +22,11 @@ pub struct TrainOptions {
     pub seed: u64,
     /// Share of each batch that is analytic materials (ours only), 0..1.
     pub analytic_share: f32,
+    /// Whether a code's beginning should serve alone (ours only): every row of a batch is decoded from a prefix of its
+    /// code, of a length drawn anew (O. Rippel, M. Gelbart, R. Adams, *Learning Ordered Representations with Nested
+    /// Dropout*, 2014).
+    #[serde(default)]
+    pub ordered: bool,
 }
 
 impl TrainOptions {
@@ -31,7 +36,7 @@ impl TrainOptions {
             Architecture::Znbrdf => (48_000, 1.5e-3),
             Architecture::Published => (8_000, 1e-3),
         };
-        Self { architecture, dim: DIM, steps, rate, seed: 0, analytic_share: 0.08 }
+        Self { architecture, dim: DIM, steps, rate, seed: 0, analytic_share: 0.08, ordered: false }
     }
 }
 

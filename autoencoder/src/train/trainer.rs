@@ -5,6 +5,7 @@ use nbrdf_core::Nbrdf;
 use nbrdf_core::nbrdf::fit::generator;
 use nbrdf_core::nbrdf::objective::Objective;
 use nbrdf_core::nbrdf::{PUBLISHED_HIDDEN, PUBLISHED_WEIGHTS};
+use rand::RngExt;
 
 use super::{TrainError, TrainOptions, TrainingData};
 use crate::Architecture;
@@ -15,6 +16,8 @@ use crate::optimizer::AdamW;
 
 /// Steps during which the learning rate rises.
 const WARM_UP: usize = 300;
+/// Lengths at which an ordered code should serve, beside its whole length.
+const PREFIXES: [usize; 4] = [4, 8, 16, 32];
 
 /// A training under way: what is trained, on what, towards what. [`train`](crate::train()) drives it and keeps its state.
 pub struct Trainer {
@@ -75,6 +78,7 @@ impl Trainer {
         };
         let codes = self.model.encode(&input)?;
         let codes = if walks > 0 { with_mixed(&codes, batch.places)? } else { codes };
+        let codes = if self.options.ordered { (codes * self.prefixes(step, BATCH + walks)?)? } else { codes };
         let weights = self.model.decode(&codes)?;
         let mean = (decoded_loss(&weights, self.objective, batch.targets)?.sum_all()? / BATCH as f64)?;
         let loss = f64::from(mean.to_scalar::<f32>()?);
@@ -85,6 +89,16 @@ impl Trainer {
         mean.backward()?;
         self.optimizer.step(self.model.parameters(), rate(&self.options, step))?;
         Ok(loss)
+    }
+
+    /// What is left of every row's code, 1 or 0 \[rows, dim\].
+    fn prefixes(&self, step: usize, rows: usize) -> Result<Tensor, TrainError> {
+        let dim = self.options.dim;
+        let lengths: Vec<usize> = PREFIXES.into_iter().filter(|length| *length < dim).chain([dim]).collect();
+        let rng = &mut generator(self.options.seed, (1 << 42) + step as u64);
+        let row = |_| CodeLayout::new(dim).prefix(lengths[rng.random_range(0..lengths.len())]);
+        let kept: Vec<f32> = (0..rows).flat_map(row).collect();
+        Ok(Tensor::from_vec(kept, (rows, dim), &Device::Cpu)?)
     }
 }
 

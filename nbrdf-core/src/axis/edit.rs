@@ -202,7 +202,7 @@ mod tests {
     #[test]
     fn a_rougher_material_keeps_its_lightness_and_colour() {
         let (before, after) = moved(Axis::Roughness, 0.1);
-        // Five numbers for six quantities: not all of the way can be gone without losing what is held.
+        // Five numbers for six quantities: least squares between the way and what is held would end at 0.052.
         assert!(Axis::Roughness.difference(&before, &after) > 0.04, "{before:?} {after:?}");
         assert!(Axis::Lightness.difference(&before, &after).abs() < 0.05);
         assert!(Axis::Hue.difference(&before, &after).abs() < 0.01);
