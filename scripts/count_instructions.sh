@@ -7,7 +7,7 @@ if ! command -v valgrind >/dev/null; then
     [ "$(id -u)" = 0 ] || { echo "missing: valgrind — apt-get install valgrind" >&2; exit 1; }
     apt-get update -q >&2 && apt-get install -qy valgrind >&2
 fi
-cargo build --release -p autoencoder --example frame >&2
+cargo build --release --workspace --example frame >&2
 count() {
     valgrind --tool=callgrind --callgrind-out-file=/dev/null target/release/examples/frame "$1" 2>&1 >/dev/null |
         sed -n 's/.*Collected : *\([0-9]*\).*/\1/p'

@@ -6,7 +6,7 @@ cd "$(dirname "$0")/.."
 export NBRDF_DATA="${NBRDF_DATA:-$PWD/../shared/data}"
 out=target/reports
 mkdir -p "$out"
-cargo build --release
+cargo build --release --workspace
 nbrdf=target/release/nbrdf
 
 python=.venv/bin/python
@@ -21,10 +21,10 @@ quietest = min(runs, key=lambda run: next(row["ns"] for row in run["evaluation"]
 (pathlib.Path(sys.argv[1]) / "speed.json").write_text(json.dumps(quietest, indent=1))
 END
 "$python" scripts/bench_fit.py > "$out/fit.json"
-cargo bench -p autoencoder -- "training step"
+cargo bench --workspace --bench speed -- "training step"
 scripts/count_instructions.sh > "$out/instructions.json"
 
-cargo test --release -p nbrdf-core --test golden_networks published -- --nocapture |
+cargo test --release --workspace --test golden_networks published -- --nocapture |
     sed -n 's/^\(.*\): median network \([0-9.e-]*\), worst \([0-9.e-]*\).*/{"name": "\1", "median": \2, "worst": \3}/p' |
     "$python" -c 'import json, sys; print(json.dumps({"schema": 1, "rows": [json.loads(line) for line in sys.stdin]}))' \
     > "$out/accuracy.json"
@@ -40,7 +40,9 @@ for sampler in cosine lobe; do
     "$nbrdf" render chrome --environment softboxes --samples 16 --size 256 --sampler "$sampler" --quiet \
         -o "docs/images/chrome-$sampler.png"
 done
-"$nbrdf" evaluate --per-material --json > "$out/evaluate.json"
+# The representations of 32 numbers; scripts/make_representations.sh measures all.
+"$nbrdf" evaluate --with znbrdf --with published_autoencoder --with pca_tables --with pca_weights --per-material --json \
+    > "$out/evaluate.json"
 "$nbrdf" axes --json > "$out/axes.json"
 "$nbrdf" compare --pictures "$out/worst" --json > "$out/compare.json"
 cp "$out/worst/latent.png" docs/images/worst-latent.png

@@ -19,14 +19,18 @@ def record(folder: Path, steps: int) -> dict:
     rows = []
     order = {}
     for name in ("plain", "ordered"):
-        variants = read(folder / f"{name}.json", "validation").items()
-        order[name] = {variant: {key: figures[key] for key in KEYS} for (_, variant, database), figures in variants if database == "merl"}
+        order[name] = of_merl(folder / f"{name}.json", "validation")
     for dim, file in files:
-        variants = {variant: figures for (_, variant, database), figures in read(file, "held_out").items() if database == "merl"}
-        if not variants:
-            raise Invalid(f"{file}: expected rows of MERL materials, found none")
-        rows.append({"dim": dim} | {variant: {key: figures[key] for key in KEYS} for variant, figures in variants.items()})
+        rows.append({"dim": dim} | of_merl(file, "held_out"))
     return {"schema": 1, "command": f"scripts/sizes.sh {steps}", "steps": steps, "rows": rows, "order": order}
+
+
+def of_merl(file: Path, split: str) -> dict:
+    """The means of every variant over the MERL materials of a report."""
+    variants = {variant: figures for (_, variant, database), figures in read(file, split).items() if database == "merl"}
+    if not variants:
+        raise Invalid(f"{file}: expected rows of MERL materials, found none")
+    return {variant: {key: figures[key] for key in KEYS} for variant, figures in variants.items()}
 
 
 def main(arguments: list[str], out: Path = ROOT / "docs/sizes.json") -> int:

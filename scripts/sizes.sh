@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
-# Trains ZNBRDF with codes of 2 to 64 numbers, for the steps given, and records how close they come in docs/sizes.json; and what
-# 32 numbers lose, on the validation materials, where their beginning should serve alone. Half an hour on two cores for 8000 steps. Checkpoints and reports stay in target/sizes-STEPS, so that an interrupted run goes on where
-# it was: remove that folder when anything that is trained or measured has changed.
+# Trains ZNBRDF with codes of 2 to 64 numbers, for the steps given, and records how close they come in docs/sizes.json; and
+# what 32 numbers lose, on the validation materials, where a part of them should serve alone. 40 minutes on two cores for
+# 8000 steps. Checkpoints and reports stay in target/sizes-STEPS, so that an interrupted run goes on where it was: remove
+# that folder when anything that is trained or measured has changed.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 export NBRDF_DATA="${NBRDF_DATA:-$PWD/../shared/data}"

@@ -4,6 +4,7 @@
 //! (A metric that `evaluate` should report also needs its line in `measure/target.rs`, which evaluates and renders once.)
 
 mod bases;
+mod held;
 mod interpolations;
 mod learned;
 mod once;
@@ -40,7 +41,17 @@ pub struct RepresentationEntry {
     pub about: &'static str,
     build: fn(&Catalog) -> Result<Shared>,
     /// What is learned, where that can be saved.
-    basis: Option<fn(&Catalog) -> Result<BasisFile>>,
+    basis: Option<Learned>,
+}
+
+/// What is learned of a representation.
+#[derive(Clone, Copy)]
+pub struct Learned {
+    file: fn(&Catalog) -> Result<BasisFile>,
+    /// Most numbers of another size than the name's ([`BasisSize::numbers`]); 0 where there is one size only.
+    pub most_numbers: usize,
+    /// Whether its tables can have other cells.
+    pub has_grids: bool,
 }
 
 /// An interpolation in the list.

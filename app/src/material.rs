@@ -9,6 +9,7 @@ use anyhow::{Context, Result};
 use clap::Args;
 use nbrdf_core::library::{Entry, builtin, is_name};
 use nbrdf_core::measured::{self, Measured, is_measured};
+use nbrdf_core::metric::{albedo_max, albedo_max_around};
 use nbrdf_core::nbrdf::file::read_anisotropic;
 use nbrdf_core::{Code, Library, Material, Split};
 
@@ -36,7 +37,6 @@ pub struct Shelf {
 }
 
 /// A material, and where it comes from.
-#[derive(Clone)]
 pub struct Item {
     /// The reflectance, and the network where there is one.
     pub material: Material,
@@ -126,12 +126,20 @@ impl Item {
     fn isotropic(self, argument: &str) -> Result<Self> {
         if self.turns {
             return Err(Failure::InvalidFile(format!(
-                "{argument}: expected an isotropic material, found one that changes when it is turned: `nbrdf fit` makes \
-                 a network of it and `nbrdf render` shows it; it has no code"
+                "{argument}: expected an isotropic material, found one that changes when it is turned: a table of such a \
+                 material is fitted by `nbrdf fit`, table and network are shown by `nbrdf render`; it has no code"
             ))
             .into());
         }
         Ok(self)
+    }
+
+    /// Largest albedo: of viewers all around where it changes when it is turned.
+    pub fn albedo_max(&self) -> f64 {
+        match self.turns {
+            true => albedo_max_around(self.material.brdf.as_ref()),
+            false => albedo_max(self.material.brdf.as_ref()),
+        }
     }
 
     /// The split it belongs to; none for what is in no standard database.
@@ -146,12 +154,18 @@ pub fn split_of(name: &str) -> Option<Split> {
     standard.then(|| Split::of(name))
 }
 
-/// A measured table is a material; a list of samples is none yet.
-fn measured_in(path: &Path) -> Result<Item> {
+/// Refuses a file whose name makes no material's name.
+fn check_name(path: &Path) -> Result<()> {
     if !is_name(&measured::name_of(path)) {
         let path = path.display();
         return Err(Failure::InvalidFile(format!("{path}: expected a printable name: rename the file")).into());
     }
+    Ok(())
+}
+
+/// A measured table is a material; a list of samples is none yet.
+fn measured_in(path: &Path) -> Result<Item> {
+    check_name(path)?;
     match Measured::load(path)? {
         Measured::Everywhere(table) => Ok(Item::of_file(measured::material(path, table), false)),
         Measured::Turning(table) => Ok(Item::of_file(measured::material(path, table), true)),
@@ -188,6 +202,7 @@ fn network_in(path: &Path) -> Result<Item> {
         return Err(Failure::InvalidFile(format!("{found}: check the path; `nbrdf list` names the materials")).into());
     }
     if let Some(network) = read_anisotropic(path)? {
+        check_name(path)?;
         return Ok(Item::of_file(measured::material(path, Arc::new(network)), true));
     }
     let mut entries = Library::load(path)?.into_entries();

@@ -63,6 +63,11 @@ impl Autoencoder {
         Self::restore(&Checkpoint::load(path)?)
     }
 
+    /// As [`load`](Self::load), from the bytes of a file.
+    pub fn parse(path: &str, bytes: &[u8]) -> Result<Self, CheckpointError> {
+        Self::restore(&Checkpoint::parse(path, bytes)?)
+    }
+
     /// The built-in checkpoint.
     ///
     /// # Panics

@@ -34,17 +34,16 @@ pub(crate) struct Checkpoint {
 impl Checkpoint {
     /// Reads a file.
     pub fn load(path: &Path) -> Result<Self, CheckpointError> {
-        let (bytes, file) = TensorFile::load(path, MAX_BYTES)?;
-        Ok(Self::of_file(file, &bytes))
+        Self::parse(&path.display().to_string(), &TensorFile::read(path, MAX_BYTES)?)
     }
 
-    /// Reads bytes that came from `path`.
+    /// Reads bytes that came from `path`, no more than [`MAX_BYTES`].
     pub fn parse(path: &str, bytes: &[u8]) -> Result<Self, CheckpointError> {
-        Ok(Self::of_file(TensorFile::parse(path, bytes)?, bytes))
-    }
-
-    fn of_file(file: TensorFile, bytes: &[u8]) -> Self {
-        Self { file, hash: hash::sha256(bytes)[..16].to_owned() }
+        let file = match bytes.len() as u64 {
+            0..=MAX_BYTES => TensorFile::parse(path, bytes)?,
+            _ => return Err(TensorFileError::too_long(path, MAX_BYTES).into()),
+        };
+        Ok(Self { file, hash: hash::sha256(bytes)[..16].to_owned() })
     }
 
     /// The tensors of a model under training.

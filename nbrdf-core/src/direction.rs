@@ -18,10 +18,10 @@ pub struct Directions {
     pub view: Vec3,
 }
 
-/// Half vector and difference vector, with φ_half rotated away: what a network reads.
+/// Half vector and difference vector: what a network reads.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct HalfDiff {
-    /// (sin θ_half, 0, cos θ_half).
+    /// (sin θ_half, 0, cos θ_half), φ_half rotated away; as it is from [`Directions::turning_half_diff`].
     pub half: Vec3,
     /// The light rotated into the half vector's frame.
     pub diff: Vec3,

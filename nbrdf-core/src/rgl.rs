@@ -19,6 +19,8 @@ pub use fields::FieldError;
 
 /// Largest file that is read \[bytes\]; published ones with RGB data stay below 60 MB.
 const MAX_FILE: u64 = 256 << 20;
+/// How far azimuths may be from those of a whole circle \[rad\].
+const WHOLE: f32 = 1e-3;
 /// Cosines below are taken as this: f_r at the horizon has no meaning.
 const SMALLEST_COSINE: f32 = 1e-4;
 
@@ -78,8 +80,10 @@ impl RglTable {
         let (phi, theta) = (places("phi_i")?, places("theta_i")?);
         // Files of symmetric materials may hold a part of the circle: they would need to be unfolded.
         let turn = phi.last().zip(phi.first()).map_or(0.0, |(last, first)| last - first);
-        if phi.len() > 2 && (TAU / turn).round() != 1.0 {
-            return Err(mismatch("phi_i", "azimuths over the whole circle", format!("{turn} radians")).into());
+        let first = phi.first().copied().unwrap_or_default();
+        if phi.len() > 2 && ((first + PI).abs() > WHOLE || (turn - TAU).abs() > WHOLE) {
+            let found = format!("{first} to {}", first + turn);
+            return Err(mismatch("phi_i", "azimuths from -pi to pi", found).into());
         }
         let grid = |name: &str, parameters: Vec<Vec<f32>>| -> Result<Grid, FieldError> {
             let tensor = file.floats(name)?;

@@ -1,13 +1,16 @@
-//! What is learned, as a file: safetensors of finite numbers with one pair of metadata, written whole or not at all.
+//! Learned things as files: safetensors of finite numbers with one pair of metadata, written whole or not at all.
 
-use std::borrow::Cow;
+mod numbers;
+
 use std::collections::{BTreeMap, HashMap};
 use std::path::Path;
 
-use safetensors::tensor::{Dtype, TensorView, View};
 use safetensors::{SafeTensorError, SafeTensors, serialize};
 
-use crate::atomic;
+use crate::{atomic, bounded};
+use numbers::{Stored, numbers};
+
+pub use numbers::{Number, Numbers};
 
 /// Why a file of tensors could not be read or written.
 #[derive(Debug, thiserror::Error)]
@@ -32,47 +35,10 @@ pub enum TensorFileError {
     },
 }
 
-/// Numbers of one kind, all finite.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Numbers {
-    /// Single precision.
-    F32(Vec<f32>),
-    /// Double precision.
-    F64(Vec<f64>),
-    /// Indices.
-    U32(Vec<u32>),
-}
-
-/// A kind of numbers.
-pub trait Number: Copy {
-    /// Its name in the file.
-    const KIND: Dtype;
-
-    /// These numbers, if they are of this kind.
-    fn of(numbers: &Numbers) -> Option<&[Self]>;
-}
-
-impl Number for f32 {
-    const KIND: Dtype = Dtype::F32;
-
-    fn of(numbers: &Numbers) -> Option<&[Self]> {
-        if let Numbers::F32(own) = numbers { Some(own) } else { None }
-    }
-}
-
-impl Number for f64 {
-    const KIND: Dtype = Dtype::F64;
-
-    fn of(numbers: &Numbers) -> Option<&[Self]> {
-        if let Numbers::F64(own) = numbers { Some(own) } else { None }
-    }
-}
-
-impl Number for u32 {
-    const KIND: Dtype = Dtype::U32;
-
-    fn of(numbers: &Numbers) -> Option<&[Self]> {
-        if let Numbers::U32(own) = numbers { Some(own) } else { None }
+impl TensorFileError {
+    /// Of more than `max` bytes.
+    pub fn too_long(path: &str, max: u64) -> Self {
+        invalid(path, format!("at most {max} bytes"), "more")
     }
 }
 
@@ -98,30 +64,38 @@ impl TensorFile {
         self
     }
 
-    /// Reads a file of at most `max` bytes: the bytes, for hashing them, and the tensors.
-    pub fn load(path: &Path, max: u64) -> Result<(Vec<u8>, Self), TensorFileError> {
+    /// The bytes of a file, `max` at most.
+    ///
+    /// # Errors
+    /// [`TensorFileError`]: no such file, or a longer one.
+    pub fn read(path: &Path, max: u64) -> Result<Vec<u8>, TensorFileError> {
         let name = path.display().to_string();
-        let io = |source| TensorFileError::Io { path: name.clone(), source };
-        let size = std::fs::metadata(path).map_err(io)?.len();
-        if size > max {
-            return Err(invalid(&name, format!("at most {max} bytes"), format!("{size} bytes")));
-        }
-        let bytes = std::fs::read(path).map_err(io)?;
-        let file = Self::parse(&name, &bytes)?;
-        Ok((bytes, file))
+        let bytes = bounded::read(path, max).map_err(|source| TensorFileError::Io { path: name.clone(), source })?;
+        bytes.ok_or_else(|| TensorFileError::too_long(&name, max))
     }
 
-    /// Reads bytes that came from `path`.
+    /// The metadata in the bytes of a file, before its numbers are looked at.
+    ///
+    /// # Errors
+    /// [`TensorFileError::Invalid`]: no safetensors.
+    pub fn metadata_in(path: &str, bytes: &[u8], key: &str) -> Result<Option<String>, TensorFileError> {
+        let (_, header) = SafeTensors::read_metadata(bytes).map_err(|error| damaged(path, &error))?;
+        Ok(header.metadata().as_ref().and_then(|metadata| metadata.get(key).cloned()))
+    }
+
+    /// The tensors in bytes that came from `path`.
+    ///
+    /// # Errors
+    /// [`TensorFileError::Invalid`]: no safetensors, numbers that are not finite, or of another kind than [`Numbers`].
     pub fn parse(path: &str, bytes: &[u8]) -> Result<Self, TensorFileError> {
-        let damaged = |error: SafeTensorError| invalid(path, "a safetensors file", error);
-        let (_, header) = SafeTensors::read_metadata(bytes).map_err(damaged)?;
+        let (_, header) = SafeTensors::read_metadata(bytes).map_err(|error| damaged(path, &error))?;
         let metadata = header.metadata().clone().unwrap_or_default();
         let mut tensors = BTreeMap::new();
-        for (name, view) in SafeTensors::deserialize(bytes).map_err(damaged)?.tensors() {
+        for (name, view) in SafeTensors::deserialize(bytes).map_err(|error| damaged(path, &error))?.tensors() {
             let numbers = numbers(&view).ok_or_else(|| {
                 invalid(path, format!("F32, F64 or U32 in tensor '{name}'"), format!("{:?}", view.dtype()))
             })?;
-            if let Some(value) = not_finite(&numbers) {
+            if let Some(value) = numbers.beyond(f64::MAX) {
                 return Err(invalid(path, format!("finite numbers in tensor '{name}'"), value));
             }
             tensors.insert(name, (view.shape().to_vec(), numbers));
@@ -144,23 +118,38 @@ impl TensorFile {
         self.tensors.iter().map(|(name, (shape, _))| (name.as_str(), shape.as_slice()))
     }
 
+    /// The same tensors with other metadata.
+    #[must_use]
+    pub fn with_metadata(self, key: &str, value: String) -> Self {
+        Self { metadata: HashMap::from([(key.to_owned(), value)]), ..self }
+    }
+
     /// The shape of a tensor.
+    ///
+    /// # Errors
+    /// [`TensorFileError::Invalid`]: none of that name.
     pub fn shape(&self, name: &str) -> Result<&[usize], TensorFileError> {
         let found = self.tensors.get(name).map(|(shape, _)| shape.as_slice());
         found.ok_or_else(|| self.lacks(format!("tensor '{name}'"), "none of that name"))
     }
 
     /// The numbers of a tensor of this shape.
+    ///
+    /// # Errors
+    /// [`TensorFileError::Invalid`]: none of that name, of another shape, or of another kind of numbers.
     pub fn tensor<T: Number>(&self, name: &str, shape: &[usize]) -> Result<&[T], TensorFileError> {
         let found = self.shape(name)?;
         if found != shape {
             return Err(self.lacks(format!("tensor '{name}' of shape {shape:?}"), format!("shape {found:?}")));
         }
         let numbers = self.tensors.get(name).and_then(|(_, numbers)| T::of(numbers));
-        numbers.ok_or_else(|| self.lacks(format!("tensor '{name}' of {:?}", T::KIND), "another kind of numbers"))
+        numbers.ok_or_else(|| self.lacks(format!("tensor '{name}' of {}", T::KIND), "another kind of numbers"))
     }
 
     /// The rows of a tensor \[rows, columns\] of so many columns, at least one.
+    ///
+    /// # Errors
+    /// As [`tensor`](Self::tensor).
     pub fn rows<T: Number>(&self, name: &str, columns: usize) -> Result<Vec<Vec<T>>, TensorFileError> {
         match self.shape(name)? {
             &[count, found] if found == columns && count > 0 && columns > 0 => {
@@ -176,124 +165,38 @@ impl TensorFile {
         invalid(&self.path, expected, found)
     }
 
-    /// Writes it; the same tensors give the same bytes.
+    /// Refuses a tensor with a number beyond ±`largest`.
+    ///
+    /// # Errors
+    /// [`TensorFileError::Invalid`] naming tensor and number.
+    pub fn check_within(&self, name: &str, largest: f64) -> Result<(), TensorFileError> {
+        let beyond = self.tensors.get(name).and_then(|(_, numbers)| numbers.beyond(largest));
+        match beyond {
+            Some(value) => Err(self.lacks(format!("numbers within ±{largest:e} in tensor '{name}'"), value)),
+            None => Ok(()),
+        }
+    }
+
+    /// Writes it, whole or not at all; the same tensors give the same bytes.
+    ///
+    /// # Errors
+    /// [`TensorFileError::Io`]: the file cannot be written.
     pub fn save(&self, path: &Path) -> Result<(), TensorFileError> {
         let name = path.display().to_string();
-        let failed = |error: SafeTensorError| invalid(&name, "tensors to write", error);
         let tensors = self.tensors.iter().map(|(name, (shape, numbers))| (name, Stored { shape, numbers }));
-        let bytes = serialize(tensors, Some(self.metadata.clone())).map_err(failed)?;
+        let bytes = serialize(tensors, Some(self.metadata.clone()))
+            .map_err(|error| invalid(&name, "tensors to write", error))?;
         atomic::write(path, &bytes).map_err(|source| TensorFileError::Io { path: name, source })
     }
+}
+
+fn damaged(path: &str, error: &SafeTensorError) -> TensorFileError {
+    invalid(path, "a safetensors file", error)
 }
 
 fn invalid(path: &str, expected: impl ToString, found: impl ToString) -> TensorFileError {
     TensorFileError::Invalid { path: path.to_owned(), expected: expected.to_string(), found: found.to_string() }
 }
 
-fn numbers(view: &TensorView) -> Option<Numbers> {
-    let words = || view.data().as_chunks().0.iter();
-    match view.dtype() {
-        Dtype::F32 => Some(Numbers::F32(words().map(|word| f32::from_le_bytes(*word)).collect())),
-        Dtype::U32 => Some(Numbers::U32(words().map(|word| u32::from_le_bytes(*word)).collect())),
-        Dtype::F64 => Some(Numbers::F64(view.data().as_chunks().0.iter().map(|w| f64::from_le_bytes(*w)).collect())),
-        _ => None,
-    }
-}
-
-fn not_finite(numbers: &Numbers) -> Option<f64> {
-    match numbers {
-        Numbers::F32(own) => own.iter().find(|v| !v.is_finite()).map(|&v| v.into()),
-        Numbers::F64(own) => own.iter().copied().find(|v| !v.is_finite()),
-        Numbers::U32(_) => None,
-    }
-}
-
-/// A tensor on its way into a file; bases are large, and where memory holds the file's bytes they are not copied.
-struct Stored<'a> {
-    shape: &'a [usize],
-    numbers: &'a Numbers,
-}
-
-impl View for Stored<'_> {
-    fn dtype(&self) -> Dtype {
-        match self.numbers {
-            Numbers::F32(_) => f32::KIND,
-            Numbers::F64(_) => f64::KIND,
-            Numbers::U32(_) => u32::KIND,
-        }
-    }
-
-    fn shape(&self) -> &[usize] {
-        self.shape
-    }
-
-    fn data(&self) -> Cow<'_, [u8]> {
-        match self.numbers {
-            Numbers::F32(own) if cfg!(target_endian = "little") => Cow::Borrowed(bytemuck::cast_slice(own)),
-            Numbers::F32(own) => own.iter().flat_map(|v| v.to_le_bytes()).collect(),
-            Numbers::F64(own) => own.iter().flat_map(|v| v.to_le_bytes()).collect(),
-            Numbers::U32(own) => own.iter().flat_map(|v| v.to_le_bytes()).collect(),
-        }
-    }
-
-    fn data_len(&self) -> usize {
-        match self.numbers {
-            Numbers::F32(own) => size_of_val(own.as_slice()),
-            Numbers::F64(own) => size_of_val(own.as_slice()),
-            Numbers::U32(own) => size_of_val(own.as_slice()),
-        }
-    }
-}
-
 #[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn sample() -> TensorFile {
-        TensorFile::new("model", "sample".to_owned())
-            .with("single", &[2, 3], Numbers::F32(vec![1.5, -2.0, 0.0, 3.0, 1e-30, 1e30]))
-            .with("double", &[2], Numbers::F64(vec![0.1, f64::MAX]))
-            .with("index", &[1], Numbers::U32(vec![u32::MAX]))
-    }
-
-    #[test]
-    fn what_is_written_is_read_and_the_same_tensors_give_the_same_bytes() {
-        let folder = tempfile::tempdir().unwrap();
-        let paths = ["a", "b"].map(|name| folder.path().join(name));
-        let [first, second] = paths.each_ref().map(|path| {
-            sample().save(path).unwrap();
-            TensorFile::load(path, 4096).unwrap()
-        });
-        assert_eq!(first.0, second.0);
-        assert_eq!(first.1.metadata("model"), Some("sample"));
-        assert_eq!(first.1.rows::<f32>("single", 3).unwrap(), [[1.5, -2.0, 0.0], [3.0, 1e-30, 1e30]]);
-        assert_eq!(first.1.tensor::<f64>("double", &[2]).unwrap(), [0.1, f64::MAX]);
-        assert_eq!(first.1.tensor::<u32>("index", &[1]).unwrap(), [u32::MAX]);
-    }
-
-    #[test]
-    fn errors_say_what_was_expected_and_what_was_found() {
-        let of = |error: TensorFileError| error.to_string();
-        assert!(of(sample().shape("other").unwrap_err()).contains("expected tensor 'other', found none"));
-        assert!(of(sample().tensor::<f32>("single", &[6]).unwrap_err()).contains("[6], found shape [2, 3]"));
-        assert!(of(sample().tensor::<f32>("double", &[2]).unwrap_err()).contains("of F32"));
-        assert!(of(sample().rows::<f32>("single", 2).unwrap_err()).contains("[rows, 2], found shape [2, 3]"));
-    }
-
-    #[test]
-    fn numbers_that_are_not_finite_other_kinds_and_large_files_are_refused() {
-        let folder = tempfile::tempdir().unwrap();
-        let path = folder.path().join("a");
-        let saved = |numbers: Numbers| {
-            TensorFile::new("k", String::new()).with("t", &[1], numbers).save(&path).unwrap();
-            TensorFile::load(&path, 4096).map(|_| ())
-        };
-        assert!(saved(Numbers::F32(vec![f32::NAN])).unwrap_err().to_string().contains("finite numbers in tensor 't'"));
-        assert!(saved(Numbers::F64(vec![f64::INFINITY])).unwrap_err().to_string().contains("finite"));
-        assert!(TensorFile::load(&path, 10).unwrap_err().to_string().contains("at most 10 bytes"));
-        let half = TensorView::new(Dtype::F16, vec![1], &[0, 0]).unwrap();
-        let half = serialize([("t", half)], None).unwrap();
-        assert!(TensorFile::parse("x", &half).unwrap_err().to_string().contains("found F16"));
-        assert!(TensorFile::parse("x", b"{}").unwrap_err().to_string().contains("a safetensors file"));
-    }
-}
+mod tests;

@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use anyhow::Result;
+use nbrdf_core::Material;
 use nbrdf_core::library::builtin;
 use nbrdf_core::representation::basis::Basis;
 use nbrdf_core::representation::charting::{Charting, Options, Span};
@@ -12,6 +13,7 @@ use nbrdf_core::representation::optimal_sampling::basis::LogRelative;
 use nbrdf_core::representation::optimal_sampling::{COMPONENTS, OptimalSampling};
 use nbrdf_core::representation::pca_tables::{PcaOptions, PcaTables};
 use nbrdf_core::representation::pca_weights::PcaWeights;
+use rayon::prelude::*;
 
 use super::twin::{WithNetwork, shared_start_network};
 use super::{Catalog, DIM};
@@ -19,7 +21,7 @@ use super::{Catalog, DIM};
 impl Catalog {
     /// A basis from the file that was named, if it is of this representation, or learned anew.
     fn basis<B: Basis + 'static>(&self, name: &'static str, learn: impl FnOnce() -> Result<B>) -> Result<Arc<B>> {
-        self.learned.get(name, || match self.basis.as_deref().filter(|file| file.name() == name) {
+        self.learned.get(name, || match self.held.as_ref().and_then(|held| held.of(name)) {
             Some(file) => Ok(B::of_file(name, file)?),
             None => learn(),
         })
@@ -39,12 +41,21 @@ impl Catalog {
     /// Components of weights.
     pub(super) fn pca_weights(&self) -> Result<Arc<PcaWeights>> {
         let numbers = self.size.numbers.unwrap_or(DIM);
-        let networks = || match &self.library {
-            // Of a library of the user's, the networks it holds.
-            Some(_) => self.training_materials(),
+        self.basis("pca_weights", || Ok(PcaWeights::learn(&self.shared_start_materials(), numbers)?))
+    }
+
+    /// The training materials as networks of the shared start: the built-in ones, or fits.
+    fn shared_start_materials(&self) -> Vec<Material> {
+        match &self.library {
             None => self.training(&builtin::shared().materials()),
-        };
-        self.basis("pca_weights", || Ok(PcaWeights::learn(&networks(), numbers)?))
+            Some(_) => {
+                let shared = |material: Material| match shared_start_network(&material) {
+                    Some(network) => Material::from_network(material.name, network),
+                    None => material,
+                };
+                self.training_materials().into_par_iter().map(shared).collect()
+            }
+        }
     }
 
     /// The same, handed networks of the shared start.

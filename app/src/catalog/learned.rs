@@ -5,14 +5,17 @@ use std::sync::Arc;
 
 use anyhow::Result;
 use autoencoder::{Architecture, Autoencoder};
-use nbrdf_core::representation::basis::BasisFile;
+use nbrdf_core::representation::basis::{BasisFile, Opened};
 use nbrdf_core::representation::grid::Grid;
 use nbrdf_core::representation::refined::Refined;
 use nbrdf_core::{Database, Interpolation, Library, Material, Split};
 
+use super::held::Held;
 use super::once::Once;
 use super::twin::{WithNetwork, independent_network};
-use super::{INTERPOLATIONS, InterpolationEntry, REPRESENTATIONS, Reference, RepresentationEntry, Shared, Variant};
+use super::{
+    INTERPOLATIONS, InterpolationEntry, Learned, REPRESENTATIONS, Reference, RepresentationEntry, Shared, Variant,
+};
 use crate::failure::Failure;
 
 /// The list, together with what its entries learn from; costly parts are learned once, when first asked for.
@@ -20,7 +23,7 @@ pub struct Catalog {
     reference: Arc<Reference>,
     checkpoint: Option<Arc<Autoencoder>>,
     /// What was learned before, of one representation.
-    pub(super) basis: Option<Arc<BasisFile>>,
+    pub(super) held: Option<Held>,
     /// Learn from these in place of the reference materials.
     pub(super) library: Option<Library>,
     pub(super) size: BasisSize,
@@ -44,7 +47,7 @@ impl Catalog {
         Self {
             reference,
             checkpoint: None,
-            basis: None,
+            held: None,
             library: None,
             size: BasisSize { numbers: None, grid: None },
             validate: false,
@@ -68,26 +71,47 @@ impl Catalog {
 
     /// With another ZNBRDF checkpoint than the built-in one, or with a basis that was learned before.
     pub fn with_checkpoint(self, path: &Path) -> Result<Self> {
-        if let Some(basis) = BasisFile::open(path)? {
-            if !Self::learned_entries().any(|entry| entry.name == basis.name()) {
-                let found =
-                    format!("{}: expected a basis that is known here, found '{}'", path.display(), basis.name());
+        let name = path.display().to_string();
+        let bytes = match BasisFile::open(path)? {
+            Opened::Other(bytes) => bytes,
+            Opened::Basis(basis) if Self::learned_entries().any(|entry| entry.name == basis.name()) => {
+                return Ok(Self { held: Some(Held::new(name, basis)), ..self });
+            }
+            Opened::Basis(basis) => {
+                let found = format!("{name}: expected a basis that is known here, found '{}'", basis.name());
                 return Err(Failure::InvalidFile(format!("{found}: learn it again with `nbrdf learn`")).into());
             }
-            return Ok(Self { basis: Some(Arc::new(basis)), ..self });
-        }
-        let loaded = Autoencoder::load(path)?;
+        };
+        let loaded = Autoencoder::parse(&name, &bytes)?;
         if loaded.architecture() != Architecture::Znbrdf {
             let found = loaded.architecture().name();
-            return Err(Failure::InvalidFile(format!("{}: expected znbrdf, found {found}", path.display())).into());
+            return Err(Failure::InvalidFile(format!("{name}: expected znbrdf, found {found}")).into());
         }
         Ok(Self { checkpoint: Some(Arc::new(loaded)), ..self })
     }
 
     /// With bases that have not seen the validation materials either.
-    pub const fn without_validation(mut self) -> Self {
-        self.validate = true;
-        self
+    ///
+    /// # Errors
+    /// A usage error where a basis was named that has.
+    pub fn without_validation(self) -> Result<Self> {
+        if let Some(held) = self.held.as_ref().filter(|held| !held.file.is_without_validation()) {
+            let found = format!("{} was learned from the validation materials too", held.path);
+            return Err(Failure::Usage(format!("{found}: learn it with --validate")).into());
+        }
+        Ok(Self { validate: true, ..self })
+    }
+
+    /// Refuses a basis that was named and that nothing has asked for.
+    pub fn check_used(&self) -> Result<()> {
+        match self.held.as_ref().filter(|held| !held.is_used()) {
+            Some(held) => {
+                let (path, name) = (&held.path, held.file.name());
+                Err(Failure::Usage(format!("{path} is a basis of {name}, which is not asked for here: leave it out"))
+                    .into())
+            }
+            None => Ok(()),
+        }
     }
 
     /// What errors are measured against.
@@ -98,7 +122,7 @@ impl Catalog {
     /// The name of what the checkpoint's file holds; none where none was named.
     pub fn checkpoint_of(&self) -> Option<&str> {
         let autoencoder = self.checkpoint.as_ref().map(|_| Architecture::Znbrdf.name());
-        autoencoder.or_else(|| self.basis.as_ref().map(|basis| basis.name()))
+        autoencoder.or_else(|| self.held.as_ref().map(|held| held.file.name()))
     }
 
     /// The lines of what is learned, and can be saved.
@@ -106,11 +130,16 @@ impl Catalog {
         REPRESENTATIONS.iter().filter(|entry| entry.basis.is_some())
     }
 
+    /// What is learned of a representation, and in which sizes.
+    pub fn learned(name: &str) -> Result<Learned> {
+        let found = Self::learned_entries().find_map(|entry| entry.basis.filter(|_| entry.name == name));
+        found.ok_or_else(|| unknown("basis", name, Self::learned_entries().map(|entry| entry.name)))
+    }
+
     /// Learns a basis.
     pub fn learn(&self, name: &str) -> Result<BasisFile> {
-        let found = Self::learned_entries().find_map(|entry| entry.basis.filter(|_| entry.name == name));
-        let learn = found.ok_or_else(|| unknown("basis", name, Self::learned_entries().map(|entry| entry.name)))?;
-        learn(self)
+        let learned = (Self::learned(name)?.file)(self)?;
+        Ok(learned.without_validation(self.validate))
     }
 
     /// A representation by name; `refined` asks for its refined form.
@@ -176,6 +205,7 @@ impl Catalog {
         materials.iter().filter(|material| may_learn(&material.name)).cloned().collect()
     }
 }
+
 fn unknown(what: &str, name: &str, known: impl Iterator<Item = &'static str>) -> anyhow::Error {
     let mut names: Vec<&str> = known.collect();
     names.dedup();

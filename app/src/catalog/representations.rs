@@ -9,6 +9,7 @@ use nbrdf_core::representation::analytic::{
     AbcLobe, Analytic, BlinnPhongLobe, GgxLobe, LambertAlone, Parametric, SgdLobes, WardLobe,
 };
 use nbrdf_core::representation::basis::{Basis as _, BasisFile};
+use nbrdf_core::representation::charting;
 use nbrdf_core::representation::factored_microfacet::FactoredMicrofacet;
 use nbrdf_core::representation::network::Network;
 use nbrdf_core::representation::pca_tables::PcaOptions;
@@ -16,7 +17,7 @@ use nbrdf_core::representation::refined::Refined;
 use nbrdf_core::representation::table::Tables;
 
 use super::twin::{WithNetwork, shared_start_network};
-use super::{Catalog, RepresentationEntry, Shared, Variant};
+use super::{Catalog, Learned, RepresentationEntry, Shared, Variant};
 
 type Build = fn(&Catalog) -> Result<Shared>;
 
@@ -40,6 +41,7 @@ pub const REPRESENTATIONS: &[RepresentationEntry] = &[
         "pca_tables",
         "PCA of ln(f cos + 0.001) tables, 32 components",
         |catalog| Ok(catalog.pca(PcaOptions::PROTOCOL)?),
+        COMPONENTS,
         |catalog| Ok(catalog.pca(PcaOptions::PROTOCOL)?.to_file()),
     ),
     entry("pca_tables", Variant::Refined, "PCA of log tables, its code refined against the target", |catalog| {
@@ -49,60 +51,70 @@ pub const REPRESENTATIONS: &[RepresentationEntry] = &[
         "pca_45",
         "PCA of ln(f cos + 0.001) tables, 45 components (Matusik et al. 2003)",
         |catalog| Ok(catalog.pca(PcaOptions::LOG_45)?),
+        COMPONENTS,
         |catalog| Ok(catalog.pca(PcaOptions::LOG_45)?.to_file()),
     ),
     learned(
         "pca_plain_45",
         "PCA of f cos tables, 45 components: what logarithms are for",
         |catalog| Ok(catalog.pca(PcaOptions::PLAIN_45)?),
+        COMPONENTS,
         |catalog| Ok(catalog.pca(PcaOptions::PLAIN_45)?.to_file()),
     ),
     learned(
         "pca_relative_45",
         "PCA of log tables relative to the median, 45 components (Nielsen et al. 2015)",
         |catalog| Ok(catalog.pca(PcaOptions::RELATIVE_45)?),
+        COMPONENTS,
         |catalog| Ok(catalog.pca(PcaOptions::RELATIVE_45)?.to_file()),
     ),
     learned(
         "pca_weights",
         "PCA of shared-start weights",
         |catalog| Ok(catalog.pca_of_shared_start()?),
+        WEIGHTS,
         |catalog| Ok(catalog.pca_weights()?.to_file()),
     ),
     learned(
         "charting_15",
         "place on the manifold of log tables, 15 numbers (Brand 2002, Matusik et al. 2003)",
         |catalog| Ok(catalog.charting_15()?),
+        COORDINATES,
         |catalog| Ok(catalog.charting_15()?.to_file()),
     ),
     learned(
         "charting_2",
         "place on the manifold of log tables, 2 numbers: a map",
         |catalog| Ok(catalog.charting_2()?),
+        COORDINATES,
         |catalog| Ok(catalog.charting_2()?.to_file()),
     ),
     learned(
         "linear_combination",
         "sum of the measured training materials (Matusik et al. 2003)",
         |catalog| Ok(catalog.linear_combination()?),
+        MATERIALS,
         |catalog| Ok(catalog.linear_combination()?.to_file()),
     ),
     learned(
         "linear_combination_800",
         "the same sum, found from 800 random samples",
         |catalog| Ok(catalog.linear_combination_800()?),
+        MATERIALS,
         |catalog| Ok(catalog.linear_combination_800()?.to_file()),
     ),
     learned(
         "optimal_sampling_20",
         "reflectance in 20 chosen directions (Nielsen et al. 2015)",
         |catalog| Ok(catalog.optimal_sampling_20()?),
+        DIRECTIONS,
         |catalog| Ok(catalog.optimal_sampling_20()?.to_file()),
     ),
     learned(
         "optimal_sampling_5",
         "reflectance in 5 chosen directions",
         |catalog| Ok(catalog.optimal_sampling_5()?),
+        DIRECTIONS,
         |catalog| Ok(catalog.optimal_sampling_5()?.to_file()),
     ),
     entry("nbrdf", Variant::Fitted, "NBRDF: a 6-21-21-3 network of its own, fitted from the shared start", |_| {
@@ -157,10 +169,19 @@ const fn learned(
     name: &'static str,
     about: &'static str,
     build: Build,
-    basis: fn(&Catalog) -> Result<BasisFile>,
+    (most_numbers, has_grids): (usize, bool),
+    file: fn(&Catalog) -> Result<BasisFile>,
 ) -> RepresentationEntry {
-    RepresentationEntry { basis: Some(basis), ..entry(name, Variant::Projection, about, build) }
+    let basis = Some(Learned { file, most_numbers, has_grids });
+    RepresentationEntry { basis, ..entry(name, Variant::Projection, about, build) }
 }
+
+/// Sizes in which bases are learned: most numbers, and whether there are grids.
+const COMPONENTS: (usize, bool) = (512, true);
+const WEIGHTS: (usize, bool) = (512, false);
+const COORDINATES: (usize, bool) = (charting::MAX_DIM, false);
+const MATERIALS: (usize, bool) = (0, false);
+const DIRECTIONS: (usize, bool) = (512, false);
 
 /// A formula, fitted.
 const fn formula<P: Parametric>(about: &'static str) -> RepresentationEntry {

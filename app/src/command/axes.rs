@@ -46,6 +46,7 @@ impl Axes {
     /// Runs the command.
     pub fn run(&self, global: &Global) -> Result<()> {
         let catalog = Catalog::for_measuring(self.reference.as_deref(), self.checkpoint.as_deref())?;
+        catalog.check_used()?;
         let reference = catalog.reference();
         let known = catalog.autoencoder();
         let prior = known.prior().context("this model remembers no materials to learn axes from")?;

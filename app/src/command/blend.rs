@@ -81,6 +81,7 @@ impl Blend {
             global.warn(format_args!("albedo_max of the materials is {limit:.3}: more light leaves than arrives"))?;
         }
         let mut walks = self.walk(&methods, &shelf.catalog, &ends, &samples, global);
+        shelf.catalog.check_used()?;
         warn_of_methods(&walks, limit, global)?;
         if walks.iter().all(|walk| walk.result.is_err()) {
             let first = walks.swap_remove(0).result.err();

@@ -63,6 +63,7 @@ impl Compare {
             chosen => chosen.iter().map(String::as_str).collect(),
         };
         let methods = names.iter().map(|name| catalog.interpolation(name)).collect::<Result<Vec<_>>>()?;
+        catalog.check_used()?;
         let pairs = self.pairs(reference)?;
         if let Some(folder) = &self.pictures {
             output::make_folder(folder)?;

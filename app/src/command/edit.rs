@@ -67,6 +67,7 @@ impl Edit {
             }
             None => shelf.catalog.representation(known.name(), false)?.encode(&item.material)?,
         };
+        shelf.catalog.check_used()?;
         let decoded = known.decode(&start)?;
         let mut numbers = start.code.clone();
         let before = Qualities::of(decoded.as_ref());

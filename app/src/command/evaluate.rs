@@ -66,10 +66,13 @@ impl Evaluate {
     /// Runs the command.
     pub fn run(&self, global: &Global) -> Result<()> {
         let catalog = Catalog::for_measuring(self.reference.as_deref(), self.checkpoint.as_deref())?;
-        let catalog = if self.validate { catalog.without_validation() } else { catalog };
+        let catalog = if self.validate { catalog.without_validation()? } else { catalog };
         let reference = catalog.reference();
         for name in &self.with {
             catalog.representation(name, false)?;
+        }
+        if !self.with.is_empty() {
+            catalog.check_used()?;
         }
         let split = if self.validate { Split::Validation } else { Split::HeldOut };
         let chosen = |entry: &&RepresentationEntry| self.with.is_empty() || self.with.iter().any(|n| n == entry.name);
@@ -121,6 +124,8 @@ impl Evaluate {
                 costs.sort_by(|a, b| a.ns.total_cmp(&b.ns));
                 let cost = costs.get(costs.len() / 2);
                 let mut row = self.row(entry, *database, &measured);
+                row["dim"] = representation.dim().into();
+                row["checkpoint"] = representation.checkpoint().into();
                 row["bytes"] = representation.code_bytes().into();
                 row["shared_bytes"] = representation.shared_bytes().into();
                 row["ns"] = json!(cost.map(|cost| cost.ns));

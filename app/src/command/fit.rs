@@ -10,7 +10,6 @@ use clap::Args;
 use nbrdf_core::Nbrdf;
 use nbrdf_core::library::builtin;
 use nbrdf_core::measured::{self, Measured};
-use nbrdf_core::metric::albedo_max;
 use nbrdf_core::nbrdf::MAX_HIDDEN;
 use nbrdf_core::nbrdf::fit::{FitOptions, random_hidden};
 use nbrdf_core::sample_list::SampleList;
@@ -63,14 +62,14 @@ impl Fit {
             bar.inc(64);
             progress::cancelled()
         };
-        let fitted = Fitted::to(&measured, turns, (&start, options), &cancelled)?;
+        let fitted = Fitted::to(&measured, turns, &start, options, &cancelled)?;
         let error = match &measured {
             Measured::Everywhere(table) | Measured::Turning(table) => table_error(table.as_ref(), fitted.brdf(), turns),
-            Measured::Somewhere(list) => samples_error([list, judged.as_ref().unwrap_or(list)], fitted.brdf()),
+            Measured::Somewhere(list) => samples_error(list, judged.as_ref().unwrap_or(list), fitted.brdf()),
         };
         bar.finish_and_clear();
         let material = measured::name_of(&self.source);
-        global.check_energy(&material, albedo_max(fitted.brdf()))?;
+        global.check_energy(&material, fitted.albedo_max())?;
         fitted.write(&self.output)?;
         let summary = json!({
             "schema": 1, "material": material, "source": self.source.display().to_string(),

@@ -62,6 +62,7 @@ impl Info {
             }
             None => None,
         };
+        shelf.catalog.check_used()?;
         let summary = json!({
             "schema": 1, "name": item.material.name, "database": Database::of(&item.material.name),
             "split": item.split(), "held_out": item.split() == Some(nbrdf_core::Split::HeldOut),

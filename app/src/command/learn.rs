@@ -2,16 +2,19 @@
 
 use std::path::PathBuf;
 
-use anyhow::Result;
+use anyhow::{Context, Result};
 use clap::{Args, ValueEnum};
 use nbrdf_core::Library;
 use nbrdf_core::representation::grid::Grid;
 use serde_json::json;
 
 use super::Global;
-use crate::catalog::{BasisSize, Catalog};
+use crate::catalog::{BasisSize, Catalog, Learned};
 use crate::failure::Failure;
 use crate::{output, report};
+
+/// Most components over the grid of MERL: 17.5 MB each, in a file of 2 GiB.
+const MOST_OVER_MERL: usize = 120;
 
 /// Learns a linear basis, a chart or directions from a library's training materials. `--checkpoint` takes the file
 /// wherever codes are made or read.
@@ -47,7 +50,7 @@ impl Learn {
     /// Runs the command.
     pub fn run(&self, global: &Global) -> Result<()> {
         output::check(&self.output, &["safetensors"])?;
-        self.check()?;
+        self.check(Catalog::learned(&self.name)?)?;
         let library = self.library.as_deref().map(Library::load).transpose()?;
         let grid = self.grid.map(|cells| match cells {
             Cells::Coarse => Grid::Coarse,
@@ -55,14 +58,17 @@ impl Learn {
         });
         let size = BasisSize { numbers: self.numbers.map(usize::from), grid };
         let catalog = Catalog::for_learning(library, size);
-        let catalog = if self.validate { catalog.without_validation() } else { catalog };
-        let file = catalog.learn(&self.name)?;
+        let catalog = if self.validate { catalog.without_validation()? } else { catalog };
+        let from = self.library.as_ref().map_or("the built-in library".to_owned(), |path| path.display().to_string());
+        let materials = catalog.training_materials().len();
+        let about = || format!("learning {} from the {materials} training materials of {from}", self.name);
+        let file = catalog.learn(&self.name).with_context(about)?;
         let basis = catalog.representation(&self.name, false)?;
         file.save(&self.output)?;
         let summary = json!({
             "schema": 1, "name": basis.name(), "checkpoint": basis.checkpoint(), "dim": basis.dim(),
-            "code_bytes": basis.code_bytes(), "shared_bytes": basis.shared_bytes(),
-            "materials": catalog.training_materials().len(),
+            "code_bytes": basis.code_bytes(), "shared_bytes": basis.shared_bytes(), "library": from,
+            "materials": materials, "output": self.output.display().to_string(),
         });
         report::print(global, &summary, || {
             let (name, checkpoint, numbers) = (basis.name(), basis.checkpoint(), basis.dim());
@@ -71,17 +77,19 @@ impl Learn {
     }
 
     /// Refuses a size that this representation does not have.
-    fn check(&self) -> Result<()> {
+    fn check(&self, learned: Learned) -> Result<()> {
         let name = &self.name;
-        let is_pca_of_tables = name.starts_with("pca") && name != "pca_weights";
-        let refused = match () {
-            () if self.numbers.is_some() && name.starts_with("linear_combination") => {
-                format!("{name} has three numbers for every material: leave out --numbers")
-            }
-            () if self.grid.is_some() && !is_pca_of_tables => {
+        let numbers = self.numbers.map_or(0, usize::from);
+        let refused = match learned.most_numbers {
+            0 if numbers > 0 => format!("{name} has three numbers for every material: leave out --numbers"),
+            most if numbers > most => format!("{name} has {most} at most: choose fewer --numbers"),
+            _ if self.grid.is_some() && !learned.has_grids => {
                 format!("{name} is learned over one grid: leave out --grid")
             }
-            () => return Ok(()),
+            _ if self.grid == Some(Cells::Merl) && numbers > MOST_OVER_MERL => {
+                format!("over the grid of MERL {name} has {MOST_OVER_MERL} at most, 2 GB: choose fewer --numbers")
+            }
+            _ => return Ok(()),
         };
         Err(Failure::Usage(refused).into())
     }

@@ -54,7 +54,7 @@ impl Reconstruct {
             output::check(path, &["svg"])?;
         }
         let catalog = Catalog::for_measuring(self.reference.as_deref(), None)?;
-        let catalog = if self.validate { catalog.without_validation() } else { catalog };
+        let catalog = if self.validate { catalog.without_validation()? } else { catalog };
         let split = if self.validate { Split::Validation } else { Split::HeldOut };
         let materials = catalog.reference().of(Database::Merl, split);
         if materials.is_empty() {

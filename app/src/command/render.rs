@@ -10,7 +10,7 @@ use nbrdf_core::render::{Light, Sphere};
 use serde_json::json;
 use surroundings::Surroundings;
 
-use super::{Global, warn_of_energy};
+use super::Global;
 use crate::material::Sources;
 use crate::{output, report};
 
@@ -70,7 +70,8 @@ impl Render {
         let environment = self.surroundings.open()?;
         let shelf = self.sources.open()?;
         let item = shelf.any(&self.material)?;
-        warn_of_energy(global, &item.material)?;
+        shelf.catalog.check_used()?;
+        global.check_energy(&item.material.name, item.albedo_max())?;
         let light = self.light.light();
         let lamps_only = environment.is_none();
         let picture = match environment {

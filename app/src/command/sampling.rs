@@ -49,6 +49,7 @@ impl Sampling {
             output::check(path, &["svg"])?;
         }
         let catalog = Catalog::for_measuring(self.reference.as_deref(), self.checkpoint.as_deref())?;
+        catalog.check_used()?;
         let reference = catalog.reference();
         let is_merl = |material: &&Material| Database::of(&material.name) == Database::Merl;
         let materials: Vec<&Material> = reference.materials.iter().filter(is_merl).collect();

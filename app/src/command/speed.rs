@@ -37,6 +37,7 @@ impl Speed {
         let reference = Reference::load(self.reference.as_deref())?;
         let shelf = self.sources.open()?;
         let material = &shelf.material(&self.material)?.material;
+        shelf.catalog.check_used()?;
         let network = material.network.as_ref().with_context(|| format!("{}: has no network", material.name))?;
         let bar = progress::bar(reference.materials.len() as u64, "timing", global.quiet);
         let rows = evaluation(material, network, 2 * REPEATS);

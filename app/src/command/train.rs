@@ -47,7 +47,7 @@ pub struct Train {
     /// Set the validation materials aside too, and show the error on them: for making choices.
     #[arg(long)]
     validate: bool,
-    /// Train a code whose first 4, 8 and 16 numbers serve alone: an experiment, worse at full length.
+    /// Train a code that still serves with what codes of 4, 8 and 16 numbers keep of it: an experiment, worse at full length.
     #[arg(long)]
     ordered: bool,
     /// Share of each batch that is analytic materials.
@@ -122,8 +122,9 @@ impl Train {
                 Failure::Usage(format!("the published architecture has codes of {DIM}: leave out --dim")).into()
             );
         }
-        if self.ordered && options.architecture == Architecture::Published {
-            return Err(Failure::Usage("the published architecture has no ordered codes: leave out --ordered".into()).into());
+        if self.ordered && (options.architecture == Architecture::Published || options.dim <= 4) {
+            let found = "--ordered is for codes of znbrdf of more than 4 numbers: leave it out";
+            return Err(Failure::Usage(found.into()).into());
         }
         options.ordered = self.ordered;
         options.analytic_share = self.analytic.unwrap_or(options.analytic_share);

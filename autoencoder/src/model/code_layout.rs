@@ -69,6 +69,18 @@ mod tests {
     use super::*;
 
     #[test]
+    fn a_shorter_code_keeps_the_first_shared_numbers_and_the_first_of_every_channel() {
+        let kept = |length: usize| -> Vec<usize> {
+            let mask = CodeLayout::new(32).prefix(length).enumerate();
+            mask.filter(|(_, kept)| *kept == 1.0).map(|(number, _)| number).collect()
+        };
+        assert_eq!(kept(4), [0, 20, 24, 28]);
+        assert_eq!(kept(8), [0, 1, 2, 3, 4, 20, 24, 28]);
+        assert_eq!(kept(16), [0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 20, 21, 24, 25, 28, 29]);
+        assert_eq!(kept(32).len(), 32);
+    }
+
+    #[test]
     fn every_length_is_shared_out_whole() {
         for dim in 1..=MAX_DIM {
             assert_eq!(CodeLayout::new(dim).dim(), dim);

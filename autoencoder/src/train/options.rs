@@ -22,9 +22,9 @@ pub struct TrainOptions {
     pub seed: u64,
     /// Share of each batch that is analytic materials (ours only), 0..1.
     pub analytic_share: f32,
-    /// Whether a code's beginning should serve alone (ours only): every row of a batch is decoded from a prefix of its
-    /// code, of a length drawn anew (O. Rippel, M. Gelbart, R. Adams, *Learning Ordered Representations with Nested
-    /// Dropout*, 2014).
+    /// Whether a part of a code should serve alone (ours only): every row of a batch is decoded from what a shorter code,
+    /// of a length drawn anew, keeps of the shared numbers and of each channel's, the others 0 (O. Rippel, M. Gelbart,
+    /// R. Adams, *Learning Ordered Representations with Nested Dropout*, 2014).
     #[serde(default)]
     pub ordered: bool,
 }

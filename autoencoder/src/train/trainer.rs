@@ -78,7 +78,7 @@ impl Trainer {
         };
         let codes = self.model.encode(&input)?;
         let codes = if walks > 0 { with_mixed(&codes, batch.places)? } else { codes };
-        let codes = if self.options.ordered { (codes * self.prefixes(step, BATCH + walks)?)? } else { codes };
+        let codes = if self.is_ordered() { (codes * self.prefixes(step, BATCH + walks)?)? } else { codes };
         let weights = self.model.decode(&codes)?;
         let mean = (decoded_loss(&weights, self.objective, batch.targets)?.sum_all()? / BATCH as f64)?;
         let loss = f64::from(mean.to_scalar::<f32>()?);
@@ -89,6 +89,11 @@ impl Trainer {
         mean.backward()?;
         self.optimizer.step(self.model.parameters(), rate(&self.options, step))?;
         Ok(loss)
+    }
+
+    /// The published architecture's numbers have no order.
+    fn is_ordered(&self) -> bool {
+        self.options.ordered && self.options.architecture == Architecture::Znbrdf
     }
 
     /// What is left of every row's code, 1 or 0 \[rows, dim\].

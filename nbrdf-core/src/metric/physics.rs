@@ -1,10 +1,13 @@
 //! `negative_share`, `albedo_max`, `reciprocity`: whether a material could exist.
 
+use std::f32::consts::TAU;
+
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
 use crate::{
     Brdf, Directions, Rgb,
+    direction::turned,
     sampling::{Quadrature, around_mirror, evaluate, evaluate_signed, rus32k},
 };
 
@@ -12,6 +15,9 @@ use crate::{
 const STEP: u16 = 5;
 /// Largest θ_o in [`albedo_max`] \[degrees\].
 const LAST: u16 = 85;
+
+/// Azimuths of the viewer in [`albedo_max_around`].
+const TURNS: u16 = 8;
 
 /// The three figures of one material.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
@@ -41,21 +47,39 @@ pub fn negative_share(brdf: &dyn Brdf) -> f64 {
 /// Largest directional albedo of any channel over θ_o = 0, 5, ..., 85°; above 1, energy is made from nothing.
 /// Infinite where any value is NaN: what is not a number must not pass for safe.
 pub fn albedo_max(brdf: &dyn Brdf) -> f64 {
-    let albedos: Vec<f32> = (0..=LAST / STEP)
-        .into_par_iter()
-        .map(|k| {
-            let albedo = directional_albedo(brdf, f32::from(k * STEP).to_radians());
-            if albedo.0.iter().any(|a| a.is_nan()) { f32::NAN } else { albedo.max() }
-        })
-        .collect();
-    albedos.into_iter().map(|a| if a.is_nan() { f64::INFINITY } else { f64::from(a) }).fold(0.0, f64::max)
+    largest((0..=LAST / STEP).map(|k| (k, 0.0)), brdf)
+}
+
+/// As [`albedo_max`], for viewers all around: of a material that changes when it is turned.
+pub fn albedo_max_around(brdf: &dyn Brdf) -> f64 {
+    largest(
+        (0..TURNS).flat_map(|turn| (0..=LAST / STEP).map(move |k| (k, TAU * f32::from(turn) / f32::from(TURNS)))),
+        brdf,
+    )
+}
+
+/// Largest albedo over steps of θ_o and azimuths of the viewer \[rad\].
+fn largest(places: impl Iterator<Item = (u16, f32)>, brdf: &dyn Brdf) -> f64 {
+    let places: Vec<(u16, f32)> = places.collect();
+    let one = |&(k, azimuth): &(u16, f32)| {
+        let albedo = albedo_at(brdf, f32::from(k * STEP).to_radians(), azimuth);
+        if albedo.0.iter().any(|a| a.is_nan()) { f64::INFINITY } else { f64::from(albedo.max()) }
+    };
+    places.par_iter().map(one).reduce(|| 0.0, f64::max)
 }
 
 /// ∫ f_r cos θ_i dω_i for a viewer at polar angle `theta_o` \[rad\], 0 ≤ θ_o < π/2: the share of light reflected.
 ///
 /// Quadrature over at least 4096 lights [`around_mirror`]: exact for Lambert, within 0.0005 for GGX of α ≥ 0.02.
 pub fn directional_albedo(brdf: &dyn Brdf, theta_o: f32) -> Rgb {
-    let Quadrature { at, weights } = around_mirror(theta_o);
+    albedo_at(brdf, theta_o, 0.0)
+}
+
+fn albedo_at(brdf: &dyn Brdf, theta_o: f32, azimuth: f32) -> Rgb {
+    let Quadrature { mut at, weights } = around_mirror(theta_o);
+    if azimuth != 0.0 {
+        at.iter_mut().for_each(|at| *at = turned(*at, azimuth));
+    }
     let mut sum = [0.0_f64; 3];
     for (value, weight) in evaluate(brdf, &at).iter().zip(weights) {
         for (sum, value) in sum.iter_mut().zip(value.0) {
@@ -96,6 +120,20 @@ mod tests {
                 *out = Rgb([1.0, at.view.z - self.0, 1.0]);
             }
         }
+    }
+
+    #[test]
+    fn light_from_nothing_is_found_whatever_the_viewers_azimuth() {
+        struct Across;
+
+        impl Brdf for Across {
+            fn eval(&self, at: Directions) -> Rgb {
+                Rgb::splat(if at.view.y.abs() > at.view.x.abs() { 0.5 } else { 0.1 })
+            }
+        }
+
+        assert!(albedo_max(&Across) < 0.4, "{}", albedo_max(&Across));
+        assert!((albedo_max_around(&Across) - 1.57).abs() < 0.01, "{}", albedo_max_around(&Across));
     }
 
     #[test]

@@ -5,8 +5,8 @@
 //! half vector's frame either way. Codes, paths and libraries are of isotropic networks: this one is fitted, kept in a
 //! file of its own, evaluated and rendered.
 
+use super::Nbrdf;
 use super::kernel::{self, Sign};
-use super::{Nbrdf, NbrdfError};
 use crate::brdf::{Azimuth, Prepared};
 use crate::simd::InstructionSet;
 use crate::{Brdf, Directions, Rgb};
@@ -16,17 +16,9 @@ use crate::{Brdf, Directions, Rgb};
 pub struct AnisotropicNbrdf(Nbrdf);
 
 impl AnisotropicNbrdf {
-    /// A network of any hidden widths from its flattened weights, those of [`Nbrdf`].
-    ///
-    /// # Errors
-    /// As [`Nbrdf::new`].
-    pub fn new(hidden: [usize; 2], weights: Vec<f32>) -> Result<Self, NbrdfError> {
-        Nbrdf::new(hidden, weights).map(Self)
-    }
-
-    /// The weights of a network that was fitted with [`Azimuth::Kept`].
-    pub(super) const fn of(fitted: Nbrdf) -> Self {
-        Self(fitted)
+    /// Takes the weights of a network for those of one that reads φ_half.
+    pub const fn of(weights: Nbrdf) -> Self {
+        Self(weights)
     }
 
     /// Hidden widths.

@@ -51,7 +51,7 @@ impl Backpropagation {
     }
 
     /// f_r before the clamp at zero, for every pair of directions (also those below the horizon); keeps what
-    /// [`backward`](Self::backward) needs.
+    /// [`backward`](Self::backward) needs. What is read of their azimuth is what they were prepared with.
     ///
     /// # Panics
     /// If the lengths of `weights` or `out` do not fit (a bug of the caller).

@@ -31,6 +31,9 @@ pub enum TensorError {
         "expected the network of an isotropic material, found one of a material that changes when it is turned: it can be rendered, but has no code, no paths and no place in a library"
     )]
     Anisotropic,
+    /// Two networks, of which nobody knows which is meant.
+    #[error("expected one of the tensors `{TENSOR}` and `{ANISOTROPIC}`, found both: write them into two files")]
+    Both,
     /// A tensor is not a row of f32.
     #[error("tensor {tensor} is {found}, expected a row of F32")]
     Kind {
@@ -61,9 +64,11 @@ pub enum TensorError {
 /// [`TensorError`] if the file is damaged, holds other tensors, or the numbers are not a network.
 pub fn read_safetensors(bytes: &[u8]) -> Result<Nbrdf, TensorError> {
     let (hidden, tensors) = open(bytes)?;
+    let has_azimuth = tensors.tensor(ANISOTROPIC).is_ok();
     match tensors.tensor(TENSOR) {
-        Ok(tensor) => network(TENSOR, &tensor, hidden),
-        Err(_) if tensors.tensor(ANISOTROPIC).is_ok() => Err(TensorError::Anisotropic),
+        Ok(tensor) if !has_azimuth => network(TENSOR, &tensor, hidden),
+        Ok(_) => Err(TensorError::Both),
+        Err(_) if has_azimuth => Err(TensorError::Anisotropic),
         Err(_) => {
             let mut found: Vec<String> = tensors.names().into_iter().take(8).map(str::to_owned).collect();
             found.sort();
@@ -84,6 +89,9 @@ pub fn write_safetensors(network: &Nbrdf) -> Vec<u8> {
 pub fn read_anisotropic(bytes: &[u8]) -> Result<Option<AnisotropicNbrdf>, TensorError> {
     let (hidden, tensors) = open(bytes)?;
     let Ok(tensor) = tensors.tensor(ANISOTROPIC) else { return Ok(None) };
+    if tensors.tensor(TENSOR).is_ok() {
+        return Err(TensorError::Both);
+    }
     let read = network(ANISOTROPIC, &tensor, hidden)?;
     Ok(Some(AnisotropicNbrdf::of(read)))
 }
@@ -154,6 +162,10 @@ mod tests {
         assert_eq!(read_anisotropic(&bytes).unwrap(), Some(network));
         assert!(matches!(read_safetensors(&bytes), Err(TensorError::Anisotropic)));
         assert_eq!(read_anisotropic(&write_safetensors(&sample([21, 21]))).unwrap(), None);
+        let weights = sample([21, 21]).into_weights();
+        let both = write_many([(TENSOR, weights.as_slice()), (ANISOTROPIC, &weights)], [21, 21]);
+        assert!(matches!(read_anisotropic(&both), Err(TensorError::Both)));
+        assert!(matches!(read_safetensors(&both), Err(TensorError::Both)));
     }
 
     #[test]

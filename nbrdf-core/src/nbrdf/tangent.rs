@@ -11,7 +11,7 @@ use super::kernel::dense::{dense, pack};
 use super::kernel::{Activations, Block, Live, ORDER, Packed};
 use super::{INPUTS, Layout, weight_count};
 use crate::Rgb;
-use crate::brdf::Prepared;
+use crate::brdf::{Azimuth, Prepared};
 use crate::simd::{InstructionSet, LANES, Lanes};
 
 /// f_r before the clamp at 0, and its derivatives.
@@ -26,13 +26,14 @@ pub struct Tangents {
 /// Evaluates a network of these hidden widths and differentiates it along `changes`, each as long as `weights`.
 ///
 /// # Panics
-/// If a length does not fit (a bug of the caller).
+/// If a length does not fit, or the pairs keep their azimuth: such networks have no codes (a bug of the caller).
 pub fn tangents(hidden: [usize; 2], weights: &[f32], changes: &[&[f32]], at: &Prepared) -> Tangents {
     let expected = weight_count(hidden);
     assert!(
         weights.len() == expected && changes.iter().all(|change| change.len() == expected),
         "one number per weight"
     );
+    assert_eq!(at.azimuth(), Azimuth::Dropped, "pairs of isotropic materials");
     let network = Packed::new(hidden, weights, Live::all(hidden));
     let mut blocks = vec![Activations::EMPTY; at.blocks().len()];
     blocks.iter_mut().for_each(|block| block.resize(hidden));

@@ -15,8 +15,8 @@ use crate::tensor_file::{Number, Numbers, TensorFile, TensorFileError};
 const KEY: &str = "basis";
 /// Largest file read \[bytes\]: 45 components over the grid of MERL are 0.8 GB.
 const MAX_BYTES: u64 = 2 << 30;
-/// Longest mark of a checkpoint.
-const MAX_CHECKPOINT: usize = 64;
+/// Longest name and mark.
+const LONGEST_NAME: usize = 64;
 
 /// A representation that is learned, and is numbers.
 pub trait Basis: Representation + Sized {
@@ -28,14 +28,6 @@ pub trait Basis: Representation + Sized {
     /// # Errors
     /// [`TensorFileError::Invalid`]: other tensors than those of this basis, or numbers that are none of its.
     fn of_file(name: &'static str, file: &BasisFile) -> Result<Self, TensorFileError>;
-
-    /// Writes it, whole or not at all.
-    ///
-    /// # Errors
-    /// [`TensorFileError::Io`]: the file cannot be written.
-    fn save(&self, path: &Path) -> Result<(), TensorFileError> {
-        self.to_file().save(path)
-    }
 }
 
 #[derive(Serialize, Deserialize)]
@@ -43,7 +35,18 @@ struct Header {
     schema: u32,
     name: String,
     checkpoint: String,
+    /// Whether the validation materials were left out, too.
+    #[serde(default)]
+    validate: bool,
     details: serde_json::Value,
+}
+
+/// What a file of tensors turned out to hold.
+pub enum Opened {
+    /// A basis.
+    Basis(BasisFile),
+    /// The bytes of something else.
+    Other(Vec<u8>),
 }
 
 /// A basis on its way into a file, or out of one.
@@ -56,9 +59,15 @@ impl BasisFile {
     /// Of this representation, without numbers yet; `details` are what tensors cannot say.
     pub(super) fn new(basis: &dyn Representation, details: serde_json::Value) -> Self {
         let [name, checkpoint] = [basis.name(), basis.checkpoint()].map(str::to_owned);
-        let header = Header { schema: 1, name, checkpoint, details };
-        let tensors = TensorFile::new(KEY, serde_json::json!(header).to_string());
-        Self { header, tensors }
+        let header = Header { schema: 1, name, checkpoint, validate: false, details };
+        Self { header, tensors: TensorFile::new(KEY, String::new()) }
+    }
+
+    /// Of a basis that has not seen the validation materials either, or has.
+    #[must_use]
+    pub fn without_validation(mut self, validate: bool) -> Self {
+        self.header.validate = validate;
+        self
     }
 
     /// With another tensor.
@@ -77,34 +86,45 @@ impl BasisFile {
         self.with(name, &[indices.len()], Numbers::U32(indices.to_vec()))
     }
 
-    /// Reads a file; none where it holds other tensors than those of a basis, as the checkpoint of an autoencoder does.
+    /// Reads a file: a basis, or the bytes of something else, as the checkpoint of an autoencoder is.
     ///
     /// # Errors
     /// [`TensorFileError`]: no such file, none of tensors, or a damaged one.
-    pub fn open(path: &Path) -> Result<Option<Self>, TensorFileError> {
+    pub fn open(path: &Path) -> Result<Opened, TensorFileError> {
+        let bytes = TensorFile::read(path, MAX_BYTES)?;
+        let name = path.display().to_string();
+        match TensorFile::metadata_in(&name, &bytes, KEY)? {
+            Some(header) => Self::of(&header, TensorFile::parse(&name, &bytes)?).map(Opened::Basis),
+            None => Ok(Opened::Other(bytes)),
+        }
+    }
+
+    fn of(header: &str, tensors: TensorFile) -> Result<Self, TensorFileError> {
         const EXPECTED: &str = "a basis of schema 1";
-        let (_, tensors) = TensorFile::load(path, MAX_BYTES)?;
-        let Some(header) = tensors.metadata(KEY) else { return Ok(None) };
         let header: Header = serde_json::from_str(header).map_err(|error| tensors.lacks(EXPECTED, error))?;
-        let Header { schema, ref checkpoint, .. } = header;
-        if schema != 1 {
-            return Err(tensors.lacks(EXPECTED, format!("schema {schema}")));
+        if header.schema != 1 {
+            return Err(tensors.lacks(EXPECTED, format!("schema {}", header.schema)));
         }
-        if checkpoint.is_empty()
-            || checkpoint.len() > MAX_CHECKPOINT
-            || !checkpoint.bytes().all(|byte| byte.is_ascii_graphic())
-        {
-            return Err(tensors.lacks("the mark of a checkpoint", format!("{checkpoint:?}")));
+        let is_word =
+            |text: &str| (1..=LONGEST_NAME).contains(&text.len()) && text.bytes().all(|b| b.is_ascii_graphic());
+        if let Some(text) = [&header.name, &header.checkpoint].into_iter().find(|text| !is_word(text)) {
+            return Err(tensors.lacks("the name and the mark of a basis", format!("{text:?}")));
         }
-        Ok(Some(Self { header, tensors }))
+        Ok(Self { header, tensors })
     }
 
     /// Writes it, whole or not at all.
     ///
     /// # Errors
-    /// [`TensorFileError::Io`]: the file cannot be written.
-    pub fn save(&self, path: &Path) -> Result<(), TensorFileError> {
-        self.tensors.save(path)
+    /// [`TensorFileError`]: larger than what is read again, or the file cannot be written.
+    pub fn save(self, path: &Path) -> Result<(), TensorFileError> {
+        let Self { header, tensors } = self;
+        let tensors = tensors.with_metadata(KEY, serde_json::json!(header).to_string());
+        let bytes = 4 * tensors.shapes().map(|(_, shape)| shape.iter().product::<usize>() as u64).sum::<u64>();
+        if bytes > MAX_BYTES {
+            return Err(tensors.lacks(format!("a basis of at most {MAX_BYTES} bytes"), format!("{bytes}")));
+        }
+        tensors.save(path)
     }
 
     /// Name of the representation.
@@ -117,6 +137,11 @@ impl BasisFile {
         &self.header.checkpoint
     }
 
+    /// Whether it has not seen the validation materials.
+    pub const fn is_without_validation(&self) -> bool {
+        self.header.validate
+    }
+
     pub(super) fn details<T: DeserializeOwned>(&self) -> Result<T, TensorFileError> {
         let details = T::deserialize(&self.header.details);
         details.map_err(|error| self.lacks(format!("the details of {}", self.name()), error))
@@ -126,23 +151,33 @@ impl BasisFile {
         self.tensors.shape(name)
     }
 
-    pub(super) fn tensor<T: Number>(&self, name: &str, shape: &[usize]) -> Result<&[T], TensorFileError> {
+    /// The numbers of a tensor of this shape, none beyond ±`largest`.
+    pub(super) fn tensor<T: Number>(&self, name: &str, shape: &[usize], largest: f64) -> Result<&[T], TensorFileError> {
+        self.tensors.check_within(name, largest)?;
         self.tensors.tensor(name, shape)
     }
 
-    pub(super) fn rows<T: Number>(&self, name: &str, columns: usize) -> Result<Vec<Vec<T>>, TensorFileError> {
+    /// The rows of a tensor of so many columns, no number beyond ±`largest`.
+    pub(super) fn rows<T: Number>(
+        &self,
+        name: &str,
+        columns: usize,
+        largest: f64,
+    ) -> Result<Vec<Vec<T>>, TensorFileError> {
+        self.tensors.check_within(name, largest)?;
         self.tensors.rows(name, columns)
     }
 
-    /// Cells of a table, rising or not, all above the horizon, at least one.
+    /// Cells of a table, rising, all above the horizon, at least one.
     pub(super) fn cells(&self, name: &str) -> Result<Vec<usize>, TensorFileError> {
-        let found = self.tensor::<u32>(name, self.shape(name)?)?;
+        let found: &[u32] = self.tensors.tensor(name, self.shape(name)?)?;
         let cells: Vec<usize> = found.iter().map(|&cell| cell as usize).collect();
-        let broken = cells.iter().find(|cell| measurable().binary_search(cell).is_err());
-        match (broken, cells.is_empty()) {
-            (None, false) => Ok(cells),
-            (Some(cell), _) => Err(self.lacks(format!("cells above the horizon in '{name}'"), cell)),
-            (None, true) => Err(self.lacks(format!("at least one cell in '{name}'"), "none")),
+        if cells.is_empty() || !cells.is_sorted_by(|a, b| a < b) {
+            return Err(self.lacks(format!("one or more rising cells in '{name}'"), "others"));
+        }
+        match cells.iter().find(|cell| measurable().binary_search(cell).is_err()) {
+            Some(cell) => Err(self.lacks(format!("cells above the horizon in '{name}'"), cell)),
+            None => Ok(cells),
         }
     }
 

@@ -33,6 +33,9 @@ use super::log_table;
 use super::{Code, DecodeError, EncodeError, Representation};
 use crate::{Brdf, Material};
 
+/// Most coordinates: finding those that keep lengths takes dim⁴ numbers, 134 MB for 64.
+pub const MAX_DIM: usize = 64;
+
 /// Why there is no chart.
 #[derive(Debug, thiserror::Error)]
 pub enum ChartingError {
@@ -47,6 +50,12 @@ pub enum ChartingError {
         points: usize,
         /// Numbers of a point.
         length: usize,
+    },
+    /// More coordinates than the equations for keeping lengths can hold.
+    #[error("a chart has {MAX_DIM} dimensions at most, found {dim} asked for")]
+    TooMany {
+        /// Coordinates asked for.
+        dim: usize,
     },
     /// Points of different lengths, or NaN or infinity among their numbers.
     #[error("the points of a chart must be finite and equally long")]

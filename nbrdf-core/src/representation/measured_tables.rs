@@ -12,6 +12,8 @@ use crate::hash::short_hash;
 use crate::tensor_file::TensorFileError;
 use crate::{Brdf, Material, Rgb};
 
+/// Largest number of a table in a file, which are logarithms.
+const LARGEST_LOGARITHM: f64 = 200.0;
 /// Cells that a thread takes at once.
 const PIECE: usize = 4096;
 
@@ -61,7 +63,7 @@ impl MeasuredTables {
 
     /// As learned from what the file's checkpoint stands for.
     pub(super) fn of_file(file: &BasisFile) -> Result<Self, TensorFileError> {
-        let tables: Vec<Vec<f32>> = file.rows("tables", TABLE_LEN)?;
+        let tables: Vec<Vec<f32>> = file.rows("tables", TABLE_LEN, LARGEST_LOGARITHM)?;
         match tables.len() {
             0 | 1 => Err(file.lacks("tables of at least 2 materials", tables.len())),
             _ => Ok(Self { tables, hash: file.checkpoint().to_owned() }),

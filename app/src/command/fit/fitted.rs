@@ -4,6 +4,7 @@ use std::path::Path;
 
 use anyhow::{Context, Result};
 use nbrdf_core::measured::Measured;
+use nbrdf_core::metric::{albedo_max, albedo_max_around};
 use nbrdf_core::nbrdf::anisotropic::AnisotropicNbrdf;
 use nbrdf_core::nbrdf::file;
 use nbrdf_core::nbrdf::fit::{FitOptions, fit, fit_anisotropic, fit_list, fit_list_anisotropic};
@@ -24,7 +25,8 @@ impl Fitted {
     pub fn to(
         measured: &Measured,
         turns: bool,
-        (start, options): (&Nbrdf, FitOptions),
+        start: &Nbrdf,
+        options: FitOptions,
         cancelled: &dyn Fn() -> bool,
     ) -> Result<Self> {
         let fitted = match measured {
@@ -48,6 +50,14 @@ impl Fitted {
         match self {
             Self::Isotropic(network) => network,
             Self::Turning(network) => network,
+        }
+    }
+
+    /// Largest albedo: of viewers all around where that matters.
+    pub fn albedo_max(&self) -> f64 {
+        match self {
+            Self::Isotropic(network) => albedo_max(network),
+            Self::Turning(network) => albedo_max_around(network),
         }
     }
 

@@ -22,7 +22,7 @@ pub fn table_error(table: &dyn Brdf, fitted: &dyn Brdf, turns: bool) -> Value {
 }
 
 /// Over samples, beside formulas that were fitted to the same ones.
-pub fn samples_error([fitted_to, judged]: [&SampleList; 2], fitted: &dyn Brdf) -> Value {
+pub fn samples_error(fitted_to: &SampleList, judged: &SampleList, fitted: &dyn Brdf) -> Value {
     json!({
         "samples": fitted_to.len(), "judged": judged.len(), "below_horizon": fitted_to.below,
         "mean_relative_error": relative_error(judged, fitted),

@@ -3,7 +3,6 @@
 use faer::Mat;
 use rayon::prelude::*;
 
-use super::ChartingError;
 use super::chart::Chart;
 use super::connection::{Affine, connect};
 use super::isometry::{isometric, to_principal_axes};
@@ -11,6 +10,7 @@ use super::kernel::{CoLocality, covariances};
 use super::mapping::Mapping;
 use super::posterior::{posterior, temperature};
 use super::vector::spread_out;
+use super::{ChartingError, MAX_DIM};
 
 /// What there is to choose.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -54,6 +54,9 @@ impl Atlas {
         let length = points.first().map_or(0, Vec::len);
         if dim == 0 || length < dim || points.len() <= dim + 1 {
             return Err(ChartingError::TooFew { dim, points: points.len(), length });
+        }
+        if dim > MAX_DIM {
+            return Err(ChartingError::TooMany { dim });
         }
         if points.iter().any(|point| point.len() != length || point.iter().any(|v| !v.is_finite())) {
             return Err(ChartingError::NotFinite);

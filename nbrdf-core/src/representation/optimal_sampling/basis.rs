@@ -16,6 +16,8 @@ use super::super::value_table::ValueTable;
 use crate::tensor_file::{Numbers, TensorFileError};
 use crate::{Directions, Rgb};
 
+/// Largest number in a file: logarithms, and components times singular values of a few hundred rows of them.
+const LARGEST: f64 = 1e4;
 /// Cells that a thread takes at once.
 const PIECE: usize = 1024;
 
@@ -75,8 +77,9 @@ impl LogRelative {
             &[_, components] if (1..rows).contains(&components) => components,
             found => return Err(file.lacks("fewer loadings than rows learned from", format!("{found:?} of {rows}"))),
         };
-        let loadings = file.tensor("loadings", &[cells, components])?.to_vec();
-        Ok(Self { loadings, base: file.tensor("base", &[cells])?.to_vec(), components, rows, slots: slots() })
+        let loadings = file.tensor("loadings", &[cells, components], LARGEST)?.to_vec();
+        let base = file.tensor("base", &[cells], LARGEST)?.to_vec();
+        Ok(Self { loadings, base, components, rows, slots: slots() })
     }
 
     /// Number of components.
