@@ -9,7 +9,7 @@ use nbrdf_core::representation::basis::Basis;
 use nbrdf_core::representation::charting::{Charting, Options, Span};
 use nbrdf_core::representation::linear_combination::LinearCombination;
 use nbrdf_core::representation::measured_tables::MeasuredTables;
-use nbrdf_core::representation::optimal_sampling::basis::LogRelative;
+use nbrdf_core::representation::optimal_sampling::log_relative::LogRelative;
 use nbrdf_core::representation::optimal_sampling::{COMPONENTS, OptimalSampling};
 use nbrdf_core::representation::pca_tables::{PcaOptions, PcaTables};
 use nbrdf_core::representation::pca_weights::PcaWeights;

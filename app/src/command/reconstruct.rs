@@ -6,7 +6,7 @@ use std::path::PathBuf;
 
 use anyhow::{Context, Result};
 use clap::Args;
-use nbrdf_core::representation::optimal_sampling::basis::SeenComponents;
+use nbrdf_core::representation::optimal_sampling::log_relative::SeenComponents;
 use nbrdf_core::sampling::rus32k;
 use nbrdf_core::{Database, Split, atomic};
 use serde_json::json;

@@ -4,19 +4,22 @@
 //! (module [`objective`](super::objective)), and a shared start with a pull towards it keeps the networks of a library
 //! comparable weight by weight.
 
+mod sets;
+
 use rand::{Rng, RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use rayon::prelude::*;
 
 use super::anisotropic::AnisotropicNbrdf;
 use super::gradient::Backpropagation;
-use super::objective::{Objective, features, features_into, pull_back};
-use super::samples::{Angular, SampleCounts, Samples};
+use super::objective::{Objective, features_into, pull_back};
+use super::samples::{Angular, Samples};
 use super::{Layout, Nbrdf, PUBLISHED_HIDDEN, weight_count};
 use crate::adam::{Adam, Pace};
 use crate::brdf::Azimuth;
 use crate::sample_list::SampleList;
-use crate::{Brdf, Directions, Rgb};
+use crate::{Brdf, Rgb};
+use sets::Sets;
 
 /// How long and how carefully to fit.
 #[derive(Clone, Copy, Debug)]
@@ -62,34 +65,6 @@ pub fn generator(seed: u64, stream: u64) -> ChaCha8Rng {
     let mut rng = ChaCha8Rng::seed_from_u64(seed);
     rng.set_stream(stream);
     rng
-}
-
-/// Sampled directions of a fit, drawn once: each step compares on one of the sets, picked at random.
-struct Sets(Vec<Samples>);
-
-/// Most sets drawn: half a million directions.
-const SETS: usize = 1024;
-/// Steps for which a set is worth drawing: that takes as long as a step.
-const STEPS_PER_SET: usize = 16;
-
-impl Sets {
-    /// Drawn in parallel, each from a stream of its own.
-    fn new(options: &FitOptions, azimuth: Azimuth) -> Self {
-        let draw = |set| {
-            let rng = &mut generator(options.seed, (1 << 40) + set);
-            let samples = Samples::drawn(rng, SampleCounts::STEP, options.angular);
-            match azimuth {
-                Azimuth::Dropped => samples,
-                Azimuth::Kept => samples.turned(rng),
-            }
-        };
-        Self((0..options.steps.div_ceil(STEPS_PER_SET).min(SETS) as u64).into_par_iter().map(draw).collect())
-    }
-
-    /// What is to be found on every set.
-    fn wanted(&self, target: &dyn Brdf) -> Vec<Vec<f32>> {
-        self.0.iter().map(|samples| features(samples, &samples.values(target))).collect()
-    }
 }
 
 /// Fits one network, starting at `start`.
@@ -144,34 +119,12 @@ fn fit_list_reading(
     options: FitOptions,
     cancelled: &dyn Fn() -> bool,
 ) -> Option<Nbrdf> {
-    if list.is_empty() {
-        return None;
-    }
-    let counts = SampleCounts { pixels: 0, lamps: 0, ..SampleCounts::STEP };
-    let draw = |set| {
-        let rng = &mut generator(options.seed, (1 << 41) + set);
-        let picks: Vec<(usize, bool)> = (0..counts.log + counts.relative)
-            .map(|_| (rng.random_range(0..list.len()), rng.random_range(0..2) == 1))
-            .collect();
-        let at: Vec<Directions> =
-            picks.iter().map(|&(i, swap)| if swap { list.at[i].swapped() } else { list.at[i] }).collect();
-        let factors = at.iter().map(|at| at.light.z).collect();
-        let samples = Samples::new(counts, at, factors);
-        let samples = match azimuth {
-            Azimuth::Dropped => samples,
-            Azimuth::Kept => samples.keeping_azimuth(),
-        };
-        let values: Vec<Rgb> = picks.iter().map(|&(i, _)| list.values[i]).collect();
-        let wanted = features(&samples, &values);
-        (samples, wanted)
-    };
-    let count = options.steps.div_ceil(STEPS_PER_SET).min(SETS) as u64;
-    let (sets, wanted): (Vec<_>, Vec<_>) = (0..count).into_par_iter().map(draw).unzip();
-    fit_on(&Sets(sets), &wanted, start, options, cancelled)
+    let (sets, wanted) = Sets::of_list(list, &options, azimuth)?;
+    fit_on(&sets, &wanted, start, options, cancelled)
 }
 
 fn fit_on(
-    Sets(sets): &Sets,
+    sets: &Sets,
     wanted: &[Vec<f32>],
     start: &Nbrdf,
     options: FitOptions,
@@ -183,8 +136,8 @@ fn fit_on(
         if index % 64 == 0 && cancelled() {
             return None;
         }
-        let set = rng.random_range(0..sets.len());
-        step.gradient(&sets[set], &wanted[set]);
+        let set = rng.random_range(0..sets.0.len());
+        step.gradient(&sets.0[set], &wanted[set]);
         for ((g, w), s) in step.gradient.iter_mut().zip(&step.weights).zip(start.weights()) {
             *g += options.proximity * (w - s);
         }
@@ -268,29 +221,4 @@ pub fn cosine(rate: f32, step: usize, steps: usize) -> f32 {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::library::builtin;
-    use crate::metric::{ImageMetric, Metric, Rendered};
-
-    #[test]
-    fn adaptive_angular_sampling_finds_highlights_that_even_sampling_misses() {
-        let chrome = &builtin::shared().get("chrome").unwrap().network;
-        let error = |angular| {
-            let options = FitOptions { steps: 1500, angular, ..FitOptions::default() };
-            let fitted = fit(&random_network(0, 0), chrome, options, &|| false).unwrap();
-            Rendered::point(ImageMetric::Psnr).distance(chrome, &fitted)
-        };
-        let (adaptive, even) = (error(Angular::HalfDifference), error(Angular::SolidAngle));
-        println!("chrome under one lamp: {adaptive:.1} dB adaptive, {even:.1} dB even");
-        assert!(adaptive > even + 1.0, "{adaptive} dB, {even} dB");
-    }
-
-    #[test]
-    fn a_fit_without_steps_is_its_start_and_a_cancelled_one_is_none() {
-        let (start, target) = (random_network(1, 0), random_network(2, 0));
-        let none = FitOptions { steps: 0, ..FitOptions::default() };
-        assert_eq!(fit(&start, &target, none, &|| false).unwrap(), start);
-        assert!(fit(&start, &target, FitOptions::default(), &|| true).is_none());
-    }
-}
+mod tests;

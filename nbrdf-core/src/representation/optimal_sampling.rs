@@ -1,7 +1,7 @@
 //! A material from its reflectance in a few directions, chosen so that they tell most of it.
 //!
 //! J. B. Nielsen, H. W. Jensen, R. Ramamoorthi, *On Optimal, Minimal BRDF Sampling for Reflectance Acquisition* (2015): a
-//! log-relative basis ([`basis`]), a ridge that finds a material's coefficients from n samples, and the n
+//! log-relative basis ([`log_relative`]), a ridge that finds a material's coefficients from n samples, and the n
 //! directions for which that is well posed ([`directions`]). Differs: forty components however few the samples, since
 //! the ridge knows how large each may be, and η = 1 for their 40, since networks have no noise to guard against, both
 //! chosen on the validation materials; and directions are those of the least expected error ([`design`]), which comes
@@ -9,18 +9,18 @@
 //!
 //! The code is the measurement itself: ln(f c + 10⁻³) at every direction, for red, green and blue.
 
-pub mod basis;
 pub mod design;
 pub mod directions;
 mod file;
 pub mod images;
+pub mod log_relative;
 
 use std::sync::Arc;
 
-use basis::LogRelative;
 use design::{Criterion, posterior};
 use directions::choose;
 use faer::Mat;
+use log_relative::LogRelative;
 
 use super::measured_tables::measure;
 use super::value_table::ValueTable;

@@ -2,8 +2,8 @@
 
 use anyhow::Result;
 use nbrdf_core::representation::EncodeError;
-use nbrdf_core::representation::optimal_sampling::basis::{LogRelative, SeenComponents};
 use nbrdf_core::representation::optimal_sampling::images::SphereImages;
+use nbrdf_core::representation::optimal_sampling::log_relative::{LogRelative, SeenComponents};
 use rayon::prelude::*;
 use serde::Serialize;
 

@@ -10,7 +10,7 @@ use faer::linalg::solvers::{DenseSolveCore, Llt};
 use faer::{Mat, Side};
 
 use super::super::log_table::{measurable, place};
-use super::basis::LogRelative;
+use super::log_relative::LogRelative;
 use crate::linear_system::LinearSystem;
 
 /// By what places are chosen.

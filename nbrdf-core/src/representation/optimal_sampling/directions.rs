@@ -9,8 +9,8 @@ use rayon::prelude::*;
 
 use super::super::log_table::{CELLS, index, measurable, place};
 use super::super::measured_tables::random_cells;
-use super::basis::LogRelative;
 use super::design::{Criterion, posterior};
+use super::log_relative::LogRelative;
 
 /// Starts at random beside the greedy one.
 const RANDOM_STARTS: u64 = 3;

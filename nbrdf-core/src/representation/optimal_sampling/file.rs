@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use super::basis::LogRelative;
+use super::log_relative::LogRelative;
 use super::{DAMPING, OptimalSampling, Reconstruction};
 use crate::representation::basis::{Basis, BasisFile};
 use crate::tensor_file::TensorFileError;

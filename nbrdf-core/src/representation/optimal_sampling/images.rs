@@ -8,8 +8,8 @@ use faer::Mat;
 use rayon::prelude::*;
 
 use super::super::log_table;
-use super::basis::LogRelative;
 use super::design::{Criterion, posterior};
+use super::log_relative::LogRelative;
 use crate::nbrdf::samples::Samples;
 use crate::sampling::evaluate;
 use crate::{Brdf, Directions, Vec3};
