@@ -1,5 +1,7 @@
 //! The program as its users meet it: what goes in, what comes out, and with which exit code.
 
+#[path = "cli/chart.rs"]
+mod chart;
 #[path = "cli/codes.rs"]
 mod codes;
 #[path = "cli/learn.rs"]

@@ -4,6 +4,7 @@
 //! (A metric that `evaluate` should report also needs its line in `measure/target.rs`, which evaluates and renders once.)
 
 mod bases;
+mod family;
 mod held;
 mod interpolations;
 mod learned;
@@ -20,6 +21,7 @@ use nbrdf_core::metric::{LogError, Metric, RelativeLog, Rendered};
 use nbrdf_core::representation::basis::BasisFile;
 use nbrdf_core::{Interpolation, Representation};
 
+pub use family::Family;
 pub use interpolations::INTERPOLATIONS;
 pub use learned::{BasisSize, Catalog};
 pub use reference::Reference;
@@ -35,6 +37,8 @@ type Shared = Arc<dyn Representation>;
 pub struct RepresentationEntry {
     /// Name on the command line, in reports and in codes.
     pub name: &'static str,
+    /// What it keeps of a material.
+    pub family: Family,
     /// How its codes are made.
     pub variant: Variant,
     /// One line for people.

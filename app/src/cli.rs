@@ -7,8 +7,8 @@ use clap::{Arg, CommandFactory as _, FromArgMatches as _, Parser, Subcommand};
 
 use crate::command::Global;
 use crate::command::{
-    axes::Axes, blend::Blend, compare::Compare, completions::Completions, decode::Decode, edit::Edit, encode::Encode,
-    evaluate::Evaluate, fit::Fit, import::Import, info::Info, learn::Learn, linear::Linear, list::List,
+    axes::Axes, blend::Blend, chart::Chart, compare::Compare, completions::Completions, decode::Decode, edit::Edit,
+    encode::Encode, evaluate::Evaluate, fit::Fit, import::Import, info::Info, learn::Learn, linear::Linear, list::List,
     manifold::Manifold, reconstruct::Reconstruct, render::Render, sampling::Sampling, speed::Speed, train::Train,
 };
 use crate::failure::exit_code;
@@ -45,6 +45,7 @@ enum Command {
     Manifold(Manifold),
     Sampling(Sampling),
     Reconstruct(Reconstruct),
+    Chart(Chart),
     Speed(Speed),
     Completions(Completions),
 }
@@ -85,6 +86,7 @@ impl Cli {
             Some(Command::Linear(command)) => command.run(&self.global),
             Some(Command::Sampling(command)) => command.run(&self.global),
             Some(Command::Reconstruct(command)) => command.run(&self.global),
+            Some(Command::Chart(command)) => command.run(&self.global),
             Some(Command::Speed(command)) => command.run(&self.global),
             Some(Command::Encode(command)) => command.run(&self.global),
             Some(Command::Decode(command)) => command.run(&self.global),

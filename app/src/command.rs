@@ -2,6 +2,7 @@
 
 pub mod axes;
 pub mod blend;
+pub mod chart;
 pub mod compare;
 pub mod completions;
 pub mod decode;

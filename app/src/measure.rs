@@ -2,10 +2,13 @@
 
 pub mod calibration;
 pub mod families;
+pub mod front;
 pub mod linear;
 pub mod manifold;
 mod pairs;
 pub mod path_quality;
+pub mod point;
+pub mod quality;
 pub mod reconstruction;
 pub mod sampling;
 pub mod speed;

@@ -29,7 +29,7 @@
 pub mod adam;
 pub mod atomic;
 pub mod axis;
-mod bounded;
+pub mod bounded;
 pub mod brdf;
 pub mod color;
 pub mod cost;

@@ -17,7 +17,7 @@ use nbrdf_core::representation::refined::Refined;
 use nbrdf_core::representation::table::Tables;
 
 use super::twin::{WithNetwork, shared_start_network};
-use super::{Catalog, Learned, RepresentationEntry, Shared, Variant};
+use super::{Catalog, Family, Learned, RepresentationEntry, Shared, Variant};
 
 type Build = fn(&Catalog) -> Result<Shared>;
 
@@ -25,14 +25,20 @@ type Build = fn(&Catalog) -> Result<Shared>;
 pub const REPRESENTATIONS: &[RepresentationEntry] = &[
     entry(
         "znbrdf",
+        Family::Code,
         Variant::Unrolled,
         "ZNBRDF: probe encoder and three steps, colour channels treated alike",
         |catalog| Ok(catalog.znbrdf()),
     ),
-    entry("znbrdf", Variant::FeedForward, "ZNBRDF's probe encoder alone", |catalog| Ok(catalog.autoencoder())),
-    entry("znbrdf", Variant::Refined, "ZNBRDF, its code refined against the target", |catalog| Ok(catalog.refined())),
+    entry("znbrdf", Family::Code, Variant::FeedForward, "ZNBRDF's probe encoder alone", |catalog| {
+        Ok(catalog.autoencoder())
+    }),
+    entry("znbrdf", Family::Code, Variant::Refined, "ZNBRDF, its code refined against the target", |catalog| {
+        Ok(catalog.refined())
+    }),
     entry(
         "published_autoencoder",
+        Family::Code,
         Variant::FeedForward,
         "675-675-32-100-675 over flattened weights (Sztrajman et al. 2021)",
         |catalog| Ok(catalog.published()),
@@ -44,9 +50,13 @@ pub const REPRESENTATIONS: &[RepresentationEntry] = &[
         COMPONENTS,
         |catalog| Ok(catalog.pca(PcaOptions::PROTOCOL)?.to_file()),
     ),
-    entry("pca_tables", Variant::Refined, "PCA of log tables, its code refined against the target", |catalog| {
-        Ok(Arc::new(Refined::new(catalog.pca(PcaOptions::PROTOCOL)?)))
-    }),
+    entry(
+        "pca_tables",
+        Family::Linear,
+        Variant::Refined,
+        "PCA of log tables, its code refined against the target",
+        |catalog| Ok(Arc::new(Refined::new(catalog.pca(PcaOptions::PROTOCOL)?))),
+    ),
     learned(
         "pca_45",
         "PCA of ln(f cos + 0.001) tables, 45 components (Matusik et al. 2003)",
@@ -117,19 +127,23 @@ pub const REPRESENTATIONS: &[RepresentationEntry] = &[
         DIRECTIONS,
         |catalog| Ok(catalog.optimal_sampling_5()?.to_file()),
     ),
-    entry("nbrdf", Variant::Fitted, "NBRDF: a 6-21-21-3 network of its own, fitted from the shared start", |_| {
-        Ok(own_network("nbrdf", Precision::Single))
-    }),
-    entry("nbrdf_half", Variant::Fitted, "NBRDF, weights in half precision", |_| {
+    entry(
+        "nbrdf",
+        Family::Network,
+        Variant::Fitted,
+        "NBRDF: a 6-21-21-3 network of its own, fitted from the shared start",
+        |_| Ok(own_network("nbrdf", Precision::Single)),
+    ),
+    entry("nbrdf_half", Family::Network, Variant::Fitted, "NBRDF, weights in half precision", |_| {
         Ok(own_network("nbrdf_half", Precision::Half))
     }),
-    entry("nbrdf_byte", Variant::Fitted, "NBRDF, weights in bytes with a scale for each unit", |_| {
+    entry("nbrdf_byte", Family::Network, Variant::Fitted, "NBRDF, weights in bytes with a scale for each unit", |_| {
         Ok(own_network("nbrdf_byte", Precision::Byte))
     }),
-    entry("nbrdf_10", Variant::Fitted, "a 6-10-10-3 network of its own", |_| {
+    entry("nbrdf_10", Family::Network, Variant::Fitted, "a 6-10-10-3 network of its own", |_| {
         Ok(Arc::new(Network::new("nbrdf_10", [10, 10], Precision::Single)))
     }),
-    entry("nbrdf_32", Variant::Fitted, "a 6-32-32-3 network of its own", |_| {
+    entry("nbrdf_32", Family::Network, Variant::Fitted, "a 6-32-32-3 network of its own", |_| {
         Ok(Arc::new(Network::new("nbrdf_32", [32, 32], Precision::Single)))
     }),
     formula::<LambertAlone>("a diffuse base alone: 3 numbers"),
@@ -140,28 +154,39 @@ pub const REPRESENTATIONS: &[RepresentationEntry] = &[
     formula::<SgdLobes>("the shifted gamma distribution, every channel on its own: 30 numbers"),
     entry(
         "factored_microfacet",
+        Family::Factored,
         Variant::Fitted,
         "a microfacet lobe with tables for D, F and G (Bagher et al. 2016)",
         |_| Ok(Arc::new(FactoredMicrofacet)),
     ),
     entry(
         "table_nearest",
+        Family::Table,
         Variant::Tabulated,
         "90 x 90 x 180 cells over half and difference angles, the nearest one",
         |_| Ok(Arc::new(Tables::NEAREST)),
     ),
-    entry("table", Variant::Tabulated, "the same, interpolated", |_| Ok(Arc::new(Tables::TRILINEAR))),
-    entry("table_half", Variant::Tabulated, "the same in 16 bits, interpolated", |_| Ok(Arc::new(Tables::HALF))),
+    entry("table", Family::Table, Variant::Tabulated, "the same, interpolated", |_| Ok(Arc::new(Tables::TRILINEAR))),
+    entry("table_half", Family::Table, Variant::Tabulated, "the same in 16 bits, interpolated", |_| {
+        Ok(Arc::new(Tables::HALF))
+    }),
     entry(
         "table_standard",
+        Family::Table,
         Variant::Tabulated,
         "as many cells over the angles of light and view, interpolated",
         |_| Ok(Arc::new(Tables::STANDARD)),
     ),
 ];
 
-const fn entry(name: &'static str, variant: Variant, about: &'static str, build: Build) -> RepresentationEntry {
-    RepresentationEntry { name, variant, about, build, basis: None }
+const fn entry(
+    name: &'static str,
+    family: Family,
+    variant: Variant,
+    about: &'static str,
+    build: Build,
+) -> RepresentationEntry {
+    RepresentationEntry { name, family, variant, about, build, basis: None }
 }
 
 /// What is learned, and can be saved.
@@ -169,23 +194,23 @@ const fn learned(
     name: &'static str,
     about: &'static str,
     build: Build,
-    (most_numbers, has_grids): (usize, bool),
+    (family, most_numbers, has_grids): (Family, usize, bool),
     file: fn(&Catalog) -> Result<BasisFile>,
 ) -> RepresentationEntry {
     let basis = Some(Learned { file, most_numbers, has_grids });
-    RepresentationEntry { basis, ..entry(name, Variant::Projection, about, build) }
+    RepresentationEntry { basis, ..entry(name, family, Variant::Projection, about, build) }
 }
 
-/// Sizes in which bases are learned: most numbers, and whether there are grids.
-const COMPONENTS: (usize, bool) = (512, true);
-const WEIGHTS: (usize, bool) = (512, false);
-const COORDINATES: (usize, bool) = (charting::MAX_DIM, false);
-const MATERIALS: (usize, bool) = (0, false);
-const DIRECTIONS: (usize, bool) = (512, false);
+/// Kinds of bases: family, most numbers, and whether there are grids.
+const COMPONENTS: (Family, usize, bool) = (Family::Linear, 512, true);
+const WEIGHTS: (Family, usize, bool) = (Family::Linear, 512, false);
+const COORDINATES: (Family, usize, bool) = (Family::Chart, charting::MAX_DIM, false);
+const MATERIALS: (Family, usize, bool) = (Family::Linear, 0, false);
+const DIRECTIONS: (Family, usize, bool) = (Family::Linear, 512, false);
 
 /// A formula, fitted.
 const fn formula<P: Parametric>(about: &'static str) -> RepresentationEntry {
-    entry(P::NAME, Variant::Fitted, about, |_| Ok(Arc::new(Analytic::<P>::new())))
+    entry(P::NAME, Family::Formula, Variant::Fitted, about, |_| Ok(Arc::new(Analytic::<P>::new())))
 }
 
 /// Networks of the published widths, fitted from the shared start.

@@ -1,21 +1,19 @@
 //! `nbrdf evaluate`: how close decoded held-out materials come to themselves.
 
-use std::collections::BTreeMap;
 use std::path::PathBuf;
-use std::time::Instant;
 
 use anyhow::Result;
 use clap::Args;
-use nbrdf_core::cost::{Given, REPEATS, Track};
+use nbrdf_core::cost::REPEATS;
 use nbrdf_core::metric::Spread;
-use nbrdf_core::{Code, Database, Material, Split};
-use rayon::prelude::*;
-use serde_json::{Map, Value, json};
+use nbrdf_core::{Database, Split};
+use serde_json::{Value, json};
 
 use super::Global;
 use crate::catalog::{Catalog, REPRESENTATIONS, RepresentationEntry};
 use crate::measure::calibration::{Calibration, Judged};
-use crate::measure::{Target, Trust, higher_is_better};
+use crate::measure::higher_is_better;
+use crate::measure::quality::{Bench, Encoded, Quality};
 use crate::report::table::Table;
 use crate::{progress, report};
 
@@ -40,25 +38,14 @@ pub struct Evaluate {
     validate: bool,
 }
 
-/// Longer codes are not reported: a table's is 50 MB of text.
-const LONGEST_SHOWN: usize = 512;
-
-struct Measured {
-    name: String,
-    /// Unless it is long.
-    code: Option<Vec<f32>>,
-    figures: BTreeMap<String, f64>,
-}
-
-impl Measured {
-    fn judged(&self) -> Judged {
-        let figure = |key: &str| self.figures.get(key).copied();
-        Judged {
-            material: self.name.clone(),
-            expected: figure("expected_log_error").unwrap_or(f64::NAN),
-            distance: figure("distance"),
-            truth: figure("log_error").unwrap_or(f64::NAN),
-        }
+/// What was said of a material's error, and what is true.
+fn judge(encoded: &Encoded) -> Judged {
+    let figure = |key: &str| encoded.figures.get(key).copied();
+    Judged {
+        material: encoded.name.clone(),
+        expected: figure("expected_log_error").unwrap_or(f64::NAN),
+        distance: figure("distance"),
+        truth: figure("log_error").unwrap_or(f64::NAN),
     }
 }
 
@@ -91,46 +78,12 @@ impl Evaluate {
         let mut rows = Vec::new();
         let known = catalog.autoencoder();
         let mut judged: Vec<Vec<Judged>> = entries.iter().map(|_| Vec::new()).collect();
-        let track = Track::new(global.seed());
         for (database, materials) in &sets {
-            let targets: Vec<Target> = materials.par_iter().map(|m| Target::new(m.brdf.as_ref())).collect();
+            let bench = Bench::new(materials.clone(), global.seed(), REPEATS);
             for (entry, judged) in entries.iter().zip(&mut judged) {
-                let representation = entry.build(&catalog)?;
-                // One after the other: side by side, their times would tell of each other.
-                let encode = |material: &&Material| {
-                    progress::check()?;
-                    let start = Instant::now();
-                    let code = representation.encode(material)?;
-                    bar.inc(1);
-                    Ok((code, start.elapsed().as_secs_f64()))
-                };
-                let codes = materials.iter().map(encode).collect::<Result<Vec<_>>>()?;
-                let one = |((material, target), (code, encode_s)): ((&&Material, &Target), &(Code, f64))| {
-                    let decoded = representation.decode(code)?;
-                    let mut figures = target.figures(decoded.as_ref());
-                    figures.insert("encode_s".to_owned(), *encode_s);
-                    let trust = Trust::of(material, code, decoded.as_ref(), &known)?;
-                    figures.insert("expected_log_error".to_owned(), trust.expected_log_error);
-                    figures.extend(trust.distance.map(|distance| ("distance".to_owned(), distance)));
-                    let shown = (code.code.len() <= LONGEST_SHOWN).then(|| code.code.clone());
-                    Ok(Measured { name: material.name.clone(), code: shown, figures })
-                };
-                let measured = materials.par_iter().zip(&targets).zip(&codes).map(one).collect::<Result<Vec<_>>>()?;
-                judged.extend(measured.iter().map(Measured::judged));
-                let decoded: Vec<_> =
-                    codes.iter().map(|(code, _)| representation.decode(code)).collect::<Result<_, _>>()?;
-                let asked: Vec<_> = decoded.iter().map(|brdf| (brdf.as_ref(), Given::Directions)).collect();
-                let mut costs = track.measure(&asked, REPEATS);
-                costs.sort_by(|a, b| a.ns.total_cmp(&b.ns));
-                let cost = costs.get(costs.len() / 2);
-                let mut row = self.row(entry, *database, &measured);
-                row["dim"] = representation.dim().into();
-                row["checkpoint"] = representation.checkpoint().into();
-                row["bytes"] = representation.code_bytes().into();
-                row["shared_bytes"] = representation.shared_bytes().into();
-                row["ns"] = json!(cost.map(|cost| cost.ns));
-                row["ratio_to_reference_loop"] = json!(cost.map(|cost| cost.ratio_to_reference_loop));
-                rows.push(row);
+                let quality = bench.measure(entry.build(&catalog)?.as_ref(), &known, &|| bar.inc(1))?;
+                judged.extend(quality.materials.iter().map(judge));
+                rows.push(self.row(entry, *database, &quality));
             }
         }
         bar.finish_and_clear();
@@ -145,19 +98,20 @@ impl Evaluate {
         report::print(global, &out, || text(&reference.kind, split, &rows_text))
     }
 
-    fn row(&self, entry: &RepresentationEntry, database: Database, measured: &[Measured]) -> Value {
-        let mut row = Map::new();
-        row.insert("name".into(), entry.name.into());
-        row.insert("variant".into(), entry.variant.name().into());
-        row.insert("database".into(), json!(database));
-        row.insert("count".into(), measured.len().into());
-        let keys: Vec<&String> = measured.first().map(|first| first.figures.keys().collect()).unwrap_or_default();
+    fn row(&self, entry: &RepresentationEntry, database: Database, quality: &Quality) -> Value {
+        let Quality { dim, checkpoint, bytes, shared_bytes, cost, materials } = quality;
+        let mut row = json!({
+            "name": entry.name, "variant": entry.variant.name(), "database": database, "count": materials.len(),
+            "dim": dim, "checkpoint": checkpoint, "bytes": bytes, "shared_bytes": shared_bytes,
+            "ns": cost.map(|cost| cost.ns), "ratio_to_reference_loop": cost.map(|cost| cost.ratio_to_reference_loop),
+        });
+        let keys: Vec<&String> = materials.first().map(|first| first.figures.keys().collect()).unwrap_or_default();
         for key in keys {
-            let values = measured.iter().map(|m| (m.name.as_str(), m.figures[key]));
-            row.insert(key.clone(), json!(Spread::new(values, higher_is_better(key))));
+            let values = materials.iter().map(|m| (m.name.as_str(), m.figures[key]));
+            row[key] = json!(Spread::new(values, higher_is_better(key)));
         }
         if self.per_material {
-            let material = |m: &Measured| {
+            let material = |m: &Encoded| {
                 let mut object = json!(m.figures);
                 object["name"] = m.name.as_str().into();
                 if let Some(code) = &m.code {
@@ -165,9 +119,9 @@ impl Evaluate {
                 }
                 object
             };
-            row.insert("materials".into(), measured.iter().map(material).collect());
+            row["materials"] = materials.iter().map(material).collect();
         }
-        Value::Object(row)
+        row
     }
 }
 

@@ -2,6 +2,7 @@
 
 mod lines;
 pub mod map;
+pub mod scatter;
 
 use std::fmt::{self, Write};
 
@@ -33,7 +34,7 @@ pub enum Mark {
 pub struct Series {
     /// Name in the legend.
     pub name: String,
-    /// One of the six colours of the style sheet.
+    /// One of the eight colours of the style sheet.
     pub colour: usize,
     /// Its shape.
     pub mark: Mark,
@@ -188,11 +189,13 @@ const STYLE: &str = "\
 text{font:13px system-ui,sans-serif;fill:#222}.title{font-size:17px;font-weight:600}.quiet{fill:#666}\
 .tick{text-anchor:end;fill:#555}.label{text-anchor:middle;fill:#333}.page{fill:#fff}.grid{stroke:#ddd}\
 .f0{fill:#999}.f1{fill:#0072b2}.f2{fill:#009e73}.f3{fill:#d55e00}.f4{fill:#cc79a7}.f5{fill:#56b4e9}\
-.s0,.s1,.s2,.s3,.s4,.s5{fill:none;stroke-width:1.5}\
+.f6{fill:#b58900}.f7{fill:#7a4fd0}\
+.s0,.s1,.s2,.s3,.s4,.s5,.s6,.s7{fill:none;stroke-width:1.5}\
 .s0{stroke:#999}.s1{stroke:#0072b2}.s2{stroke:#009e73}.s3{stroke:#d55e00}.s4{stroke:#cc79a7}.s5{stroke:#56b4e9}\
+.s6{stroke:#b58900}.s7{stroke:#7a4fd0}\
 @media(prefers-color-scheme:dark){text{fill:#e6e6e6}.quiet,.tick{fill:#aaa}.label{fill:#ccc}.page{fill:#16181c}\
 .grid{stroke:#34373d}.f1{fill:#4aa8e8}.s1{stroke:#4aa8e8}.f2{fill:#2fc79b}.s2{stroke:#2fc79b}.f3{fill:#ff8b3d}\
-.s3{stroke:#ff8b3d}}";
+.s3{stroke:#ff8b3d}.f6{fill:#d9ad2b}.s6{stroke:#d9ad2b}.f7{fill:#a98bf0}.s7{stroke:#a98bf0}}";
 
 #[cfg(test)]
 mod tests {

@@ -1,0 +1,140 @@
+//! The picture of a report, and its table.
+
+use super::saved::Saved;
+use crate::catalog::Family;
+use crate::measure::point::Point;
+use crate::report;
+use crate::report::svg::scatter::{Kind, Panel, Scatter, Shape, Spot};
+use crate::report::table::Table;
+
+/// Radii of the marks of the smallest and the largest material.
+const SIZES: [f64; 2] = [3.2, 9.0];
+
+/// The chart.
+pub fn scatter(saved: &Saved, metric: &str, is_dark: bool) -> Scatter {
+    let front = saved.front(metric);
+    let names: Vec<String> = front.iter().map(|&i| saved.points[i].title()).collect();
+    let title = format!("{} of {} models are worth their time: {}", names.len(), saved.points.len(), listed(&names));
+    let of = if saved.quick { ", a quick look" } else { "" };
+    let subtitle = format!(
+        "{} held-out MERL materials{of}, reference: {}; a mark is as large as its material has bytes, a bar holds eight of ten materials",
+        saved.materials, saved.reference
+    );
+    let error = format!("{}, mean", label(metric));
+    let panel = |title: &str, x_label: &str, cost: &dyn Fn(&Point) -> f64| Panel {
+        title: title.to_owned(),
+        x_label: x_label.to_owned(),
+        y_label: error.clone(),
+        spots: saved.points.iter().map(|point| spot(saved, point, metric, cost(point))).collect(),
+        front: saved.front_of(metric, cost),
+    };
+    let kind = |(place, family): (usize, Family)| Kind {
+        name: family.title().to_owned(),
+        colour: [3, 4, 1, 7, 2, 6, 0][place],
+        shape: [Shape::Up, Shape::Down, Shape::Circle, Shape::Hexagon, Shape::Square, Shape::Diamond, Shape::Plus]
+            [place],
+    };
+    Scatter {
+        title: shortened(title),
+        subtitle,
+        kinds: Family::ALL.into_iter().enumerate().map(kind).collect(),
+        panels: vec![
+            panel("Evaluation", "ns per evaluation, one thread", &|point| point.ns),
+            panel("Storage", "bytes per material, what is shared not counted", &|point| point.bytes as f64),
+            panel("Encoding", "seconds per material, median", &|point| point.encode_s),
+        ],
+        is_dark,
+    }
+}
+
+fn spot(saved: &Saved, point: &Point, metric: &str, cost: f64) -> Spot {
+    let bytes = |point: &Point| (point.bytes.max(1) as f64).ln();
+    let all = || saved.points.iter().map(bytes);
+    let (low, high) = (all().fold(f64::INFINITY, f64::min), all().fold(0.0, f64::max));
+    let share = (bytes(point) - low) / (high - low).max(1e-9);
+    let band = point.error.get(metric);
+    let [mean, p10, p90] = band.map_or([f64::NAN; 3], |band| [band.mean, band.p10, band.p90]);
+    let kind = Family::ALL.iter().position(|family| *family == point.family).unwrap_or_default();
+    let about = format!(
+        "{}: {} {}, {:.1} ns ({:.1} x reference_loop), {} bytes, {} shared, {} s to encode",
+        point.title(),
+        label(metric),
+        report::figure(mean),
+        point.ns,
+        point.ratio_to_reference_loop,
+        point.bytes,
+        point.shared_bytes,
+        report::figure(point.encode_s)
+    );
+    Spot {
+        x: cost,
+        y: mean,
+        band: [p10, p90],
+        size: SIZES[0] + share * (SIZES[1] - SIZES[0]),
+        kind,
+        label: point.title(),
+        about,
+    }
+}
+
+/// A metric for people.
+fn label(metric: &str) -> String {
+    match metric.split_once('_') {
+        Some((light @ ("studio" | "point"), error)) => {
+            let error = match error {
+                "flip" => "FLIP",
+                "delta_e_itp" => "ΔE_ITP",
+                other => other,
+            };
+            format!("{error}, {light} light")
+        }
+        _ => metric.to_owned(),
+    }
+}
+
+fn listed(names: &[String]) -> String {
+    match names {
+        [] => "none".to_owned(),
+        [one] => one.clone(),
+        [first @ .., last] => format!("{} and {last}", first.join(", ")),
+    }
+}
+
+/// As much as fits a line.
+fn shortened(title: String) -> String {
+    const LONGEST: usize = 112;
+    match title.char_indices().nth(LONGEST) {
+        Some((at, _)) => format!("{}…", &title[..at]),
+        None => title,
+    }
+}
+
+/// The figures as a table, those on the front marked.
+pub fn text(saved: &Saved, metric: &str) -> String {
+    let head = ["", "model", metric, "10 %", "90 %", "ns", "x loop", "bytes", "shared MB", "encode s"];
+    let mut table = Table::new(head.map(str::to_owned).to_vec());
+    let front = saved.front(metric);
+    let mut order: Vec<usize> = (0..saved.points.len()).collect();
+    order.sort_by(|&a, &b| saved.points[a].ns.total_cmp(&saved.points[b].ns));
+    for i in order {
+        let point = &saved.points[i];
+        let band = point.error.get(metric);
+        let figure = |value: Option<f64>| report::figure(value.unwrap_or(f64::NAN));
+        table.push(vec![
+            if front.contains(&i) { "*" } else { "" }.to_owned(),
+            point.title(),
+            figure(band.map(|band| band.mean)),
+            figure(band.map(|band| band.p10)),
+            figure(band.map(|band| band.p90)),
+            report::figure(point.ns),
+            report::figure(point.ratio_to_reference_loop),
+            point.bytes.to_string(),
+            format!("{:.1}", point.shared_bytes as f64 / 1e6),
+            report::figure(point.encode_s),
+        ]);
+    }
+    format!(
+        "{} held-out MERL materials, reference: {}; * nothing else is both faster and closer\n\n{table}",
+        saved.materials, saved.reference
+    )
+}

@@ -1,0 +1,106 @@
+//! A model as a point of a chart: what it costs, and how close it comes.
+
+use std::collections::BTreeMap;
+
+use serde::{Deserialize, Serialize};
+
+use super::quality::Quality;
+use crate::catalog::{Family, RepresentationEntry};
+
+/// How an error is spread over materials.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Band {
+    /// Arithmetic mean.
+    pub mean: f64,
+    /// A tenth of the materials are below.
+    pub p10: f64,
+    /// A tenth are above.
+    pub p90: f64,
+    /// The largest.
+    pub max: f64,
+}
+
+impl Band {
+    /// Of these values, percentiles by linear interpolation between ranks; none of no values.
+    pub fn of(values: impl Iterator<Item = f64>) -> Option<Self> {
+        let mut sorted: Vec<f64> = values.collect();
+        sorted.sort_by(f64::total_cmp);
+        let max = *sorted.last()?;
+        let rank = |share: f64| {
+            let place = share * (sorted.len() - 1) as f64;
+            let (low, high) = (sorted[place.floor() as usize], sorted[place.ceil() as usize]);
+            low + place.fract() * (high - low)
+        };
+        Some(Self { mean: sorted.iter().sum::<f64>() / sorted.len() as f64, p10: rank(0.1), p90: rank(0.9), max })
+    }
+}
+
+/// A model, measured.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub struct Point {
+    /// Name in the catalog; that of a code with its length.
+    pub name: String,
+    /// How its codes are made.
+    pub variant: String,
+    /// What it keeps.
+    pub family: Family,
+    /// Nanoseconds per evaluation, one thread.
+    pub ns: f64,
+    /// How many times the plain loop over the weights takes as long.
+    pub ratio_to_reference_loop: f64,
+    /// Bytes of one material.
+    pub bytes: usize,
+    /// Bytes that all materials share.
+    pub shared_bytes: usize,
+    /// Seconds to encode one, the median.
+    pub encode_s: f64,
+    /// By key of the metric.
+    pub error: BTreeMap<String, Band>,
+}
+
+impl Point {
+    /// Of what was measured of a line in the catalog; none where nothing was.
+    pub fn of(entry: &RepresentationEntry, quality: &Quality) -> Option<Self> {
+        let cost = quality.cost?;
+        let values =
+            |key: &str| quality.materials.iter().filter_map(|own| own.figures.get(key).copied()).collect::<Vec<_>>();
+        let band = |key: &str| Some((key.to_owned(), Band::of(values(key).into_iter())?));
+        let mut encode = values("encode_s");
+        encode.sort_by(f64::total_cmp);
+        Some(Self {
+            name: if entry.name == "znbrdf" { format!("znbrdf_{}", quality.dim) } else { entry.name.to_owned() },
+            variant: entry.variant.name().to_owned(),
+            family: entry.family,
+            ns: cost.ns,
+            ratio_to_reference_loop: cost.ratio_to_reference_loop,
+            bytes: quality.bytes,
+            shared_bytes: quality.shared_bytes,
+            encode_s: *encode.get(encode.len() / 2)?,
+            error: METRICS.iter().filter_map(|key| band(key)).collect(),
+        })
+    }
+
+    /// Its name, with how its codes are made where that is not the plain way.
+    pub fn title(&self) -> String {
+        match self.variant.as_str() {
+            "refined" | "feed_forward" => format!("{} {}", self.name, self.variant.replace('_', "-")),
+            _ => self.name.clone(),
+        }
+    }
+}
+
+/// Errors that a chart can show: all of which less is better.
+pub const METRICS: [&str; 6] =
+    ["studio_flip", "studio_delta_e_itp", "point_flip", "point_delta_e_itp", "log_error", "relative_log"];
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_band_holds_eight_of_ten() {
+        let band = Band::of((0..=10).map(f64::from)).unwrap();
+        assert_eq!((band.mean, band.p10, band.p90, band.max), (5.0, 1.0, 9.0, 10.0));
+        assert!(Band::of(std::iter::empty()).is_none());
+    }
+}

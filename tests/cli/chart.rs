@@ -1,0 +1,64 @@
+//! Charts: measured, saved, drawn again.
+
+use serde_json::{Value, json};
+
+use super::support::Place;
+
+fn point(name: &str, ns: f64, error: f64) -> Value {
+    json!({
+        "name": name, "variant": "fitted", "family": "network", "ns": ns, "ratio_to_reference_loop": 400.0 / ns,
+        "bytes": 100, "shared_bytes": 0, "encode_s": 0.1,
+        "error": {"studio_flip": {"mean": error, "p10": 0.5 * error, "p90": 2.0 * error, "max": 3.0 * error}},
+    })
+}
+
+#[test]
+fn a_saved_report_is_drawn_again_without_measuring() {
+    let place = Place::new();
+    let points = [point("cheap", 1.0, 0.1), point("beaten", 20.0, 0.05), point("close & dear", 10.0, 0.01)];
+    let report = json!({"schema": 1, "reference": "published", "materials": 20, "quick": false, "points": points});
+    place.write("saved.json", report.to_string().as_bytes());
+    let again = place.run(&["chart", "--from", "saved.json", "-o", "a.svg", "--json"]).json();
+    assert_eq!(again["front"], json!(["cheap", "close & dear"]));
+    assert_eq!(again["points"], report["points"]);
+    let svg = String::from_utf8(place.file("a.svg")).unwrap();
+    assert!(svg.contains("2 of 3 models are worth their time: cheap and close &amp; dear"));
+    place.run(&["chart", "--from", "saved.json", "-o", "a.png"]).ok();
+    place.run(&["chart", "--from", "saved.json", "-o", "dark.png", "--dark"]).ok();
+    let [light, dark] = ["a.png", "dark.png"].map(|name| place.file(name));
+    assert!(light.starts_with(b"\x89PNG\r\n\x1a\n") && light != dark);
+    assert_eq!(light[16..24], dark[16..24], "width and height");
+    assert_eq!(light[16..20], 1840u32.to_be_bytes());
+}
+
+#[test]
+fn what_is_no_report_exits_with_3_and_draws_nothing() {
+    let place = Place::new();
+    let one = point("one", 1.0, 0.1);
+    let of = |schema: u32| json!({"schema": schema, "reference": "r", "materials": 1, "quick": true, "points": [one]});
+    for (name, text) in [("a.json", "{}".to_owned()), ("b.json", "x".to_owned()), ("c.json", of(2).to_string())] {
+        place.write(name, text.as_bytes());
+        let said = place.run(&["chart", "--from", name, "-o", "x.svg"]).fails(3);
+        assert!(said.contains(name) && said.contains("expected a report of `nbrdf chart --json`"), "{said}");
+    }
+    place.run(&["chart", "--from", "missing.json", "-o", "x.svg"]).fails(3);
+    place.run(&["chart", "--from", "a.json", "-o", "x.jpg"]).fails(2);
+    place.run(&["chart", "--metric", "studio_psnr"]).fails(2);
+    assert!(!place.names().contains(&"x.svg".to_owned()));
+}
+
+#[test]
+fn a_quick_look_measures_every_model_and_its_front_is_not_beaten() {
+    let place = Place::new();
+    let report = place.run(&["chart", "--quick", "-o", "chart.svg", "--json"]).json();
+    let points = report["points"].as_array().unwrap();
+    let named = |name: &str| points.iter().find(|point| point["name"] == name).unwrap();
+    for name in ["nbrdf", "znbrdf_32", "pca_45", "table", "charting_15", "linear_combination", "sgd", "lambert_ggx"] {
+        assert!(named(name)["ns"].as_f64().unwrap() > 0.0 && named(name)["bytes"].as_u64().unwrap() > 0, "{name}");
+    }
+    let front = report["front"].as_array().unwrap();
+    assert!(front.len() >= 2 && front.iter().any(|name| name == "lambert"), "{front:?}");
+    place.write("saved.json", report.to_string().as_bytes());
+    place.run(&["chart", "--from", "saved.json", "-o", "again.svg"]).ok();
+    assert_eq!(place.file("chart.svg"), place.file("again.svg"));
+}
