@@ -4,7 +4,7 @@ import json
 import sys
 from pathlib import Path
 
-from results_table import ROOT, label, number, table, thousands
+from results_table import ROOT, label, number, table, thousands, wrapped
 
 RGL = ("cc_ibiza_sunset", "cg_sunflower", "colodur_napoli_4f", "paper_white")
 CORNELL = ("cayman", "garnet_red", "krylon_blue")
@@ -43,15 +43,32 @@ def measured(folder: Path) -> str:
     paints = []
     for stem in CORNELL:
         error = read(stem)["error"]
-        shares = (f"{100 * error[key]:.1f} %" for key in ("mean_relative_error", "of_lambert_ggx", "of_lambert"))
-        paints.append([stem, str(error["samples"]), str(error["judged"]), *shares])
+        shares = (f"{100 * error[key][part]:.1f} %" for key in ("relative_error", "of_lambert_ggx", "of_lambert") for part in ("mean", "median", "p90"))
+        paints.append([stem, str(error["samples"]), *shares])
     return f"""{table(head, body)}
 
-Goniometer samples of three paints (Cornell): every tenth sample left out of the fit, mean relative error on these; beside
-it a GGX lobe with free Fresnel term over a diffuse base, and the base alone, fitted to the same samples
-(`nbrdf fit PAINT.brdf -o OUT.npz --leave-out 10`).
+Goniometer samples of three paints (Cornell), each judged by a fit that has seen neither it nor any other tenth sample (ten fits;
+`nbrdf fit PAINT.brdf -o OUT.npz --leave-out 10`): relative error, mean, median and 90th percentile over samples and channels; beside it
+a GGX lobe with free Fresnel term over a diffuse base, and the base alone, fitted to the same samples.
 
-{table(["paint", "fitted to", "judged by", "network", "GGX", "Lambert"], paints)}"""
+{table(["paint", "samples", "network, mean", "median", "90 %", "GGX, mean", "median", "90 %", "Lambert, mean", "median", "90 %"], paints)}"""
+
+
+def front(folder: Path) -> str:
+    """What the chart shows: the models that no other one beats."""
+    report = json.loads((folder / "chart.json").read_text())
+    points = {point["name"] + {"refined": " refined", "feed_forward": " feed-forward"}.get(point["variant"], ""): point for point in report["points"]}
+    metric = report["metric"]
+    body = [
+        [f"`{name}`", number(points[name]["ns"], 1), str(points[name]["bytes"]), number(points[name]["error"][metric]["mean"], 3), number(points[name]["error"][metric]["p90"], 3)]
+        for name in report["front"]
+    ]
+    return f"""![{len(body)} of {len(points)} models are worth their time](images/chart.svg)
+
+Nothing else is both faster (by more than a tenth) and closer than these (`nbrdf chart`, {report['materials']} held-out materials). Everything that decodes
+to a network of 675 weights takes the same time; between them, bytes decide. Codes of 4, 8 and 16 numbers are of the checkpoints below.
+
+{table(["model", "ns", "bytes", "FLIP under studio, mean", "90 %"], body)}"""
 
 
 def lengths() -> str:
@@ -114,7 +131,12 @@ definitions as in [results.md](results.md). Representations that learn have seen
 the material itself. `nbrdf` is the built-in library's network, fitted to the reference network for 30 000 steps from the shared start, so that
 its rows tell what such a fit loses, and fewer bits on top; `nbrdf_10` and `nbrdf_32` are fitted for 8 000 steps from random
 weights. Times to encode are of finding the former in the library, and of fitting the latter. What is learned can be saved, of
-other sizes and from other materials too: `nbrdf learn NAME -o FILE`, and `--checkpoint FILE` wherever codes are made or read.
+other sizes and from other materials too: `nbrdf learn NAME -o FILE`, and `--checkpoint FILE` where codes are made or read.
+On this page they are learned from the reference (`--library merl_nbrdf.zip`), on the command line from the built-in library.
+
+## Speed against accuracy
+
+{front(folder)}
 
 ## Errors, {merl[0]['count']} held-out MERL materials
 
@@ -186,7 +208,7 @@ Factored microfacet against the published SGD fit (`cargo test --release --works
 ![A map of the materials](images/manifold.svg)
 
 {lengths()}"""
-    (ROOT / "docs/representations.md").write_text(page.rstrip() + "\n")
+    (ROOT / "docs/representations.md").write_text(wrapped(page).rstrip() + "\n")
     return 0
 
 

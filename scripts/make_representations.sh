@@ -10,6 +10,12 @@ cargo build --release --workspace --examples --bins
 nbrdf=target/release/nbrdf
 
 "$nbrdf" evaluate --json > "$out/representations.json"
+lengths=()
+for dim in 4 8 16; do
+    checkpoint=target/sizes-8000/size-$dim.safetensors
+    [ ! -f "$checkpoint" ] || lengths+=(--checkpoint "$checkpoint")
+done
+"$nbrdf" chart "${lengths[@]}" -o docs/images/chart.svg --json > "$out/chart.json"
 "$nbrdf" reconstruct --draws 20 -o docs/images/reconstruct.svg > "$out/reconstruct.txt"
 "$nbrdf" linear -o docs/images/linear.svg --ranks docs/images/ranks.svg > "$out/linear.txt"
 "$nbrdf" manifold -o docs/images/manifold.svg > "$out/manifold.txt"

@@ -9,7 +9,7 @@ import sys
 from pathlib import Path
 
 from results_learning import ablation, hardest, seeds
-from results_table import EVALUATE, ROOT, label, number, table, thousands
+from results_table import EVALUATE, ROOT, label, number, table, thousands, wrapped
 
 COMPARE = [
     ("end_error", "mean", "end_error mean", 4), ("mix_psnr", "median", "mix_psnr median", 1),
@@ -174,7 +174,7 @@ set (here, on {speed['processor']}: {peaks} GFLOP/s; `{speed['instruction_set']}
 
 - **Accuracy**: largest error of a published network relative to (f + 10⁻³) against float64, over 1000 directions:
   {"; ".join(f"{row['name']} {row['median']:.1e} in the median network, {row['worst']:.1e} in the worst" for row in accuracy["rows"])}:
-  `cargo test --release -p nbrdf-core --test golden_networks -- --nocapture`.
+  `cargo test --release --workspace --test golden_networks -- --nocapture`.
 - **Pruned**: over the {len(pruning['materials'])} published networks {pruning['live'][0]:.1f} + {pruning['live'][1]:.1f} of 21 + 21 units are proved to be able to fire;
   {pruning['multiply_adds']['mean']:.0f} of 630 multiply-adds are left on average ({pruning['multiply_adds']['max']:.0f} at most), {faster(saved, 'ns'):.2f} × faster from directions and {faster(saved, 'prepared_ns'):.2f} × alone
   (the 100 of MERL: {faster(merl, 'ns'):.2f} and {faster(merl, 'prepared_ns'):.2f}), bit for bit the same. Every material: [pruning.md](pruning.md).
@@ -185,7 +185,7 @@ set (here, on {speed['processor']}: {peaks} GFLOP/s; `{speed['instruction_set']}
 - **Fitting** one network: {fit['nbrdf_step_s'] * 1e6:.0f} µs per step of 512 directions, {fit['times_faster']:.1f} × faster than the same steps in jitted JAX on one
   thread ({fit['jax_step_s'] * 1e6:.0f} µs): `python scripts/bench_fit.py`.
 - **Training**: {training['own'] * 1e3:.1f} ms for a step of 32 materials and 8 colour walks × 512 directions (48 encoded, 40 decoded). Plain candle
-  operations need {training['plain'] * 1e3:.0f} ms for the 32 materials alone, {training['plain'] / training['own']:.1f} × as long for less, in the same run: `cargo bench -p autoencoder --
+  operations need {training['plain'] * 1e3:.0f} ms for the 32 materials alone, {training['plain'] / training['own']:.1f} × as long for less, in the same run: `cargo bench --workspace --bench speed --
   "training step"`. The built-in checkpoint's {training['steps']} steps, with 6 analytic walks each, took {training['seconds'] / 60:.1f} minutes: {training['seconds'] / training['steps'] * 1e3:.1f} ms a step.
 - **Instructions** of one frame, a code decoded and its 128² sphere under light `studio` (AVX2, one thread): {instructions['instructions_per_frame'] / 1e6:.2f} million:
   `scripts/count_instructions.sh`. A trend line without noise.
@@ -348,7 +348,7 @@ materials with GGX-like and Blinn–Phong lobes; Beckmann and GTR of γ = 1 are 
 
 {families(compare)}
 """
-    (ROOT / "docs/results.md").write_text(text)
+    (ROOT / "docs/results.md").write_text(wrapped(text))
     (ROOT / "docs/pruning.md").write_text(pruning_page(speed))
     keep = ("log_error", "studio_psnr", "studio_ssim", "studio_flip", "studio_delta_e_itp")
     names = ("znbrdf", "published_autoencoder")

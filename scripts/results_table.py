@@ -1,5 +1,6 @@
 """What the tables of docs/results.md are made of."""
 
+import textwrap
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
@@ -27,6 +28,31 @@ def table(head: list[str], rows: list[list[str]]) -> str:
 def thousands(value: int) -> str:
     """A count with spaces between thousands."""
     return f"{value:,}".replace(",", " ")
+
+
+def wrapped(page: str) -> str:
+    """A page without lines of prose beyond 120 letters: paragraphs that have one are set anew; all else stays."""
+    out, paragraph, fenced = [], [], False
+
+    def flush() -> None:
+        if any(len(line) > 120 for line in paragraph):
+            indent = "  " if paragraph[0].startswith("- ") else ""
+            text = " ".join(line.strip() for line in paragraph)
+            paragraph[:] = textwrap.wrap(text, 120, subsequent_indent=indent, break_long_words=False, break_on_hyphens=False)
+        out.extend(paragraph)
+        paragraph.clear()
+
+    for line in page.split("\n"):
+        fenced ^= line.startswith("```")
+        if fenced or not line or line.startswith(("|", "    ", "#", "!", "```")):
+            flush()
+            out.append(line)
+            continue
+        if line.startswith("- "):
+            flush()
+        paragraph.append(line)
+    flush()
+    return "\n".join(out)
 
 
 def label(row: dict) -> str:

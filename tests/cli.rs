@@ -67,7 +67,10 @@ fn info_tells_energy_size_and_how_well_the_model_knows_a_material() {
     }
     assert!(report["znbrdf"]["log_error"].as_f64().unwrap() > 0.0);
     assert!(report["znbrdf"]["studio_psnr"].as_f64().unwrap() > 5.0);
-    assert!(Place::new().run(&["info", "rgl/paper_white"]).text().contains("rgl, held out"));
+    let told = |name: &str| Place::new().run(&["info", name]).text();
+    assert!(told("rgl/paper_white").contains("rgl, held out"));
+    assert!(told("rgl/cc_ibiza_sunset").contains("rgl, not learned from"));
+    assert!(told("gold-paint").contains("merl, learned from"));
 }
 
 #[test]

@@ -11,7 +11,7 @@ use crate::command::{
     encode::Encode, evaluate::Evaluate, fit::Fit, import::Import, info::Info, learn::Learn, linear::Linear, list::List,
     manifold::Manifold, reconstruct::Reconstruct, render::Render, sampling::Sampling, speed::Speed, train::Train,
 };
-use crate::failure::exit_code;
+use crate::failure::{advice, exit_code};
 
 /// Measured materials as 32 numbers: walk between them, render them, judge them.
 #[derive(Debug, Parser)]
@@ -63,7 +63,10 @@ pub fn run() -> ExitCode {
     match cli.execute() {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) => {
-            eprintln!("error: {error:#}");
+            match advice(&error) {
+                Some(advice) => eprintln!("error: {error:#}: {advice}"),
+                None => eprintln!("error: {error:#}"),
+            }
             ExitCode::from(exit_code(&error))
         }
     }

@@ -68,8 +68,20 @@ fn invalid_checkpoint(error: &CheckpointError) -> bool {
 fn invalid_tensors(error: &TensorFileError) -> bool {
     match error {
         TensorFileError::Invalid { .. } => true,
-        TensorFileError::Io { source, .. } => source.kind() == std::io::ErrorKind::NotFound,
+        TensorFileError::Io { source, .. } => is_named_wrongly(source),
     }
+}
+
+/// Whether a path leads to no file that can be read.
+fn is_named_wrongly(error: &std::io::Error) -> bool {
+    use std::io::ErrorKind::{IsADirectory, NotFound, PermissionDenied};
+    matches!(error.kind(), IsADirectory | NotFound | PermissionDenied)
+}
+
+/// What to do about an error whose message does not say so: where a path leads to no file.
+pub fn advice(error: &anyhow::Error) -> Option<&'static str> {
+    let of_system = error.chain().find_map(|cause| cause.downcast_ref::<std::io::Error>())?;
+    is_named_wrongly(of_system).then_some("check the path")
 }
 
 fn invalid_training(error: &TrainError) -> bool {

@@ -89,7 +89,7 @@ impl Autoencoder {
     fn restore(file: &Checkpoint) -> Result<Self, CheckpointError> {
         let found = file.file.metadata("model").unwrap_or("no model's name");
         let Some(architecture) = Architecture::ALL.into_iter().find(|architecture| architecture.name() == found) else {
-            return Err(file.lacks("a checkpoint of znbrdf or published_autoencoder", found));
+            return Err(file.lacks("a checkpoint of znbrdf or published_autoencoder, or a basis", found));
         };
         let mut restored = Self::of(architecture, file)?;
         if architecture == Architecture::Znbrdf {

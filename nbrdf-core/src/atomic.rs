@@ -1,24 +1,43 @@
 //! Files that are either whole or not there.
 
 use std::{
+    fs::{self, OpenOptions},
     io::{Error, ErrorKind, Result, Write},
-    path::Path,
+    path::{Path, PathBuf},
 };
 
 use tempfile::{Builder, NamedTempFile};
 
 /// Writes `bytes` to `path`: into a temporary file of the same folder first, then renamed, so that nothing
-/// half-written is ever left under the final name. An existing file is replaced.
+/// half-written is ever left under the final name. An existing file is replaced, behind a symbolic link too; what is
+/// no file (a terminal, a pipe, a device) is written to as it is.
 ///
 /// # Errors
 /// [`ErrorKind::NotFound`] naming the folder if it does not exist; whatever the file system reports otherwise.
 /// The final name is untouched then.
 pub fn write(path: &Path, bytes: &[u8]) -> Result<()> {
-    let mut file = beside(path)?;
+    let path = behind_links(path)?;
+    if is_no_file(&path) {
+        return OpenOptions::new().write(true).open(&path)?.write_all(bytes);
+    }
+    let mut file = beside(&path)?;
     file.write_all(bytes)?;
     file.as_file().sync_all()?;
-    file.persist(path).map_err(|failed| failed.error)?;
+    file.persist(&path).map_err(|failed| failed.error)?;
     Ok(())
+}
+
+/// Where a symbolic link leads to; another path is itself.
+fn behind_links(path: &Path) -> Result<PathBuf> {
+    match fs::symlink_metadata(path) {
+        Ok(found) if found.is_symlink() => fs::canonicalize(path),
+        _ => Ok(path.to_owned()),
+    }
+}
+
+/// Neither a file nor a folder, but there.
+fn is_no_file(path: &Path) -> bool {
+    fs::metadata(path).is_ok_and(|found| !found.is_file() && !found.is_dir())
 }
 
 /// Whether [`write()`] to this path would work, as far as can be told: to be asked before long work, not after it.
@@ -29,7 +48,11 @@ pub fn check(path: &Path) -> Result<()> {
     if path.is_dir() {
         return Err(Error::new(ErrorKind::IsADirectory, "is a folder: name a file"));
     }
-    beside(path).map(drop)
+    let path = behind_links(path)?;
+    if is_no_file(&path) {
+        return OpenOptions::new().write(true).open(&path).map(drop);
+    }
+    beside(&path).map(drop)
 }
 
 /// A temporary file in the folder of `path`.
@@ -71,6 +94,21 @@ mod tests {
         write(&path, b"second").unwrap();
         assert_eq!(fs::read(&path).unwrap(), b"second");
         assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 1);
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn links_are_followed_and_what_is_no_file_stays_what_it_is() {
+        let folder = tempfile::tempdir().unwrap();
+        let [target, link] = ["target", "link"].map(|name| folder.path().join(name));
+        write(&target, b"old").unwrap();
+        std::os::unix::fs::symlink(&target, &link).unwrap();
+        write(&link, b"new").unwrap();
+        assert_eq!(fs::read(&target).unwrap(), b"new");
+        assert!(fs::symlink_metadata(&link).unwrap().is_symlink());
+        write(std::path::Path::new("/dev/null"), b"gone").unwrap();
+        check(std::path::Path::new("/dev/null")).unwrap();
+        assert!(!fs::metadata("/dev/null").unwrap().is_file());
     }
 
     #[test]

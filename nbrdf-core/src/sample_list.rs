@@ -3,6 +3,7 @@
 mod csv;
 mod goniometer;
 
+use std::f32::consts::TAU;
 use std::io;
 use std::path::Path;
 
@@ -13,6 +14,8 @@ const MAX_FILE: u64 = 256 << 20;
 
 /// Larger numbers are damage; these are finite in single precision.
 const LARGEST: f64 = 1e30;
+/// Half vectors closer to the normal \[rad\] say little of the azimuth.
+const OFF_THE_NORMAL: f32 = 0.1;
 
 /// Samples of a reflectance.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -99,6 +102,17 @@ impl SampleList {
         }
         parts[1].below = self.below;
         parts
+    }
+
+    /// Largest range of azimuths of the half vector \[rad\] without a sample, of half vectors that are off the normal; 2π
+    /// where all are at it.
+    pub fn largest_gap(&self) -> f32 {
+        let off = self.at.iter().map(|at| at.rusinkiewicz()).filter(|angles| angles.theta_half > OFF_THE_NORMAL);
+        let mut azimuths: Vec<f32> = off.map(|angles| angles.phi_half).collect();
+        azimuths.sort_by(f32::total_cmp);
+        let (Some(first), Some(last)) = (azimuths.first(), azimuths.last()) else { return TAU };
+        let around = TAU - (last - first);
+        azimuths.windows(2).map(|pair| pair[1] - pair[0]).fold(around, f32::max)
     }
 
     fn push(&mut self, at: Directions, value: Rgb) {

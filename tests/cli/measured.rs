@@ -25,8 +25,11 @@ fn measured_files_are_materials_and_networks_are_fitted_to_them() {
     let wide = ["fit", list, "-o", "blue.npz", "--steps", "300", "--hidden", "16,16", "--leave-out", "10", "--json"];
     let fitted = place.run(&wide).json();
     assert_eq!(fitted["hidden"], serde_json::json!([16, 16]));
-    let error = |key: &str| fitted["error"][key].as_f64().unwrap();
-    assert!(error("mean_relative_error") < 1.0 && error("of_lambert_ggx") < error("of_lambert"), "{fitted}");
+    let said = place.run(&["fit", list, "-o", "x.safetensors", "--anisotropic"]).fails(2);
+    assert!(said.contains("degrees of the half vector's azimuth"), "{said}");
+    let error = |key: &str| fitted["error"][key]["median"].as_f64().unwrap();
+    assert_eq!(fitted["error"]["folds"], 10);
+    assert!(error("relative_error") < 1.0 && error("of_lambert_ggx") < error("of_lambert"), "{fitted}");
     assert_eq!(place.run(&["info", "blue.npz", "--json"]).json()["hidden"], serde_json::json!([16, 16]));
 }
 

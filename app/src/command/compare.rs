@@ -29,7 +29,7 @@ pub struct Compare {
     /// Materials to walk between; the published networks in NBRDF_DATA by default, else the built-in ones.
     #[arg(long, value_name = "LIBRARY")]
     reference: Option<PathBuf>,
-    /// Another ZNBRDF checkpoint than the built-in one, or a basis of `nbrdf learn`.
+    /// Another ZNBRDF checkpoint than the built-in one, or a basis of pca_tables, pca_weights or charting_15.
     #[arg(long, value_name = "CKPT")]
     checkpoint: Option<PathBuf>,
     /// Only the first N pairs.

@@ -7,7 +7,7 @@ use clap::Args;
 use nbrdf_core::nbrdf::file;
 use serde_json::json;
 
-use super::{Global, warn_of_energy};
+use super::{Global, warn_of_distance, warn_of_energy};
 use crate::failure::Failure;
 use crate::material::{STDIN, Sources};
 use crate::{output, report};
@@ -30,6 +30,8 @@ impl Decode {
         output::check(&self.output, &output::NETWORKS)?;
         let shelf = self.sources.open()?;
         let item = shelf.code(&self.code)?;
+        shelf.catalog.check_used()?;
+        warn_of_distance(global, &item, &shelf)?;
         let model = item.code.as_ref().map_or("", |code| code.model.as_str());
         let Some(network) = &item.material.network else {
             let code = if self.code == STDIN { "CODE" } else { &self.code };

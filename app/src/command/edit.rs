@@ -52,7 +52,7 @@ impl Edit {
     pub fn run(&self, global: &Global) -> Result<()> {
         let output = self.output.as_deref().filter(|path| path.as_os_str() != "-");
         if let Some(path) = output {
-            output::check_writable(path)?;
+            output::check(path, &["json"])?;
         }
         let shelf = self.sources.open()?;
         let item = shelf.material_or_code(&self.material)?;

@@ -21,6 +21,9 @@ use crate::{output, progress, report};
 use fitted::Fitted;
 use judge::{samples_error, table_error};
 
+/// Azimuths of the half vector \[rad\] in a row that a list may leave out.
+const LARGEST_GAP: f32 = 1.0;
+
 /// Fits a network to a measurement: MERL .binary, RGL .bsdf, goniometer text .brdf, or values in .csv.
 #[derive(Debug, Args)]
 pub struct Fit {
@@ -36,9 +39,10 @@ pub struct Fit {
     /// Widths of the two hidden layers.
     #[arg(long, value_name = "WIDTH,WIDTH", default_value = "21,21", value_parser = widths)]
     hidden: [usize; 2],
-    /// Leave out every N-th sample of a list, and judge by these.
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(2..))]
-    leave_out: Option<u16>,
+    /// Judge by samples that were left out: N more fits to a list, each without every N-th sample. What is written has
+    /// seen all.
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u8).range(2..=50))]
+    leave_out: Option<u8>,
     /// Let the network read how light and view are turned about the normal, for brushed metals and fabrics. RGL files say
     /// themselves whether it matters. Such a network is a .safetensors; it is rendered, and has no code.
     #[arg(long)]
@@ -54,10 +58,11 @@ impl Fit {
         if turns {
             output::check(&self.output, &["safetensors"])?;
         }
-        let (measured, judged) = self.leave_out(measured)?;
+        self.check(&measured)?;
         let start = self.start(global.seed());
         let options = FitOptions { steps: self.steps as usize, ..FitOptions::shared_start(global.seed()) };
-        let bar = progress::bar(self.steps.into(), "fitting", global.quiet);
+        let fits = 1 + u64::from(self.leave_out.unwrap_or(0));
+        let bar = progress::bar(fits * u64::from(self.steps), "fitting", global.quiet);
         let cancelled = || {
             bar.inc(64);
             progress::cancelled()
@@ -65,7 +70,10 @@ impl Fit {
         let fitted = Fitted::to(&measured, turns, &start, options, &cancelled)?;
         let error = match &measured {
             Measured::Everywhere(table) | Measured::Turning(table) => table_error(table.as_ref(), fitted.brdf(), turns),
-            Measured::Somewhere(list) => samples_error(list, judged.as_ref().unwrap_or(list), fitted.brdf()),
+            Measured::Somewhere(list) => {
+                let refit = |rest: &SampleList| Fitted::to_list(rest, turns, &start, options, &cancelled);
+                samples_error(list, self.leave_out.map(usize::from), fitted.brdf(), &refit)?
+            }
         };
         bar.finish_and_clear();
         let material = measured::name_of(&self.source);
@@ -80,21 +88,23 @@ impl Fit {
         report::print(global, &summary, || text(&summary))
     }
 
-    /// What is fitted to, and the samples that are left out of it.
-    fn leave_out(&self, measured: Measured) -> Result<(Measured, Option<SampleList>)> {
-        match (measured, self.leave_out) {
-            (measured, None) => Ok((measured, None)),
-            (Measured::Somewhere(list), Some(n)) => {
-                let [out, rest] = list.split(n.into(), 0);
-                if rest.is_empty() {
-                    return Err(Failure::Usage("--leave-out leaves no sample to fit to".into()).into());
-                }
-                Ok((Measured::Somewhere(rest), Some(out)))
+    /// Refuses switches that this measurement has no use for.
+    fn check(&self, measured: &Measured) -> Result<()> {
+        let refused = match measured {
+            Measured::Somewhere(list) if self.leave_out.is_some_and(|n| list.len() < usize::from(n)) => {
+                format!("--leave-out asks for more folds than the {} samples: choose fewer", list.len())
             }
-            (Measured::Everywhere(_) | Measured::Turning(_), Some(_)) => {
-                Err(Failure::Usage("--leave-out is for lists of samples: a table is fitted whole".into()).into())
+            Measured::Somewhere(list) if self.anisotropic && list.largest_gap() > LARGEST_GAP => format!(
+                "the samples leave {:.0} of 360 degrees of the half vector's azimuth out, where --anisotropic would have to guess: \
+                 leave it out",
+                list.largest_gap().to_degrees()
+            ),
+            Measured::Everywhere(_) | Measured::Turning(_) if self.leave_out.is_some() => {
+                "--leave-out is for lists of samples: a table is fitted whole".to_owned()
             }
-        }
+            _ => return Ok(()),
+        };
+        Err(Failure::Usage(refused).into())
     }
 
     /// The shared start of the built-in library, or random weights where widths differ.
@@ -120,12 +130,36 @@ fn widths(text: &str) -> Result<[usize; 2], String> {
 }
 
 fn text(summary: &Value) -> String {
-    let figures = summary["error"].as_object().into_iter().flatten();
-    let figure = |(key, value): (&String, &Value)| format!("  {key:22}{value}\n");
-    let lines: String = figures.map(figure).collect();
-    format!(
-        "{} in {}\n{lines}",
-        summary["material"].as_str().unwrap_or_default(),
-        summary["output"].as_str().unwrap_or_default()
-    )
+    let word = |key: &str| summary[key].as_str().unwrap_or_default();
+    let error = &summary["error"];
+    let mut lines = vec![format!("{} in {}", word("material"), word("output"))];
+    let figure = |value: &Value| report::figure(value.as_f64().unwrap_or(f64::NAN));
+    if error["samples"].is_null() {
+        lines.push(format!(
+            "  log_error {}, studio PSNR {} dB",
+            figure(&error["log_error"]),
+            figure(&error["studio_psnr"])
+        ));
+    } else {
+        let by = match error["folds"].as_u64() {
+            Some(folds) => format!("each judged by a fit without it, {folds} fits"),
+            None => "judged by those it was fitted to: --leave-out 10 says how it does elsewhere".to_owned(),
+        };
+        lines.push(format!(
+            "  {} samples, {} below the horizon left out; {by}",
+            error["samples"], error["below_horizon"]
+        ));
+        for (key, name) in [
+            ("relative_error", "the network"),
+            ("of_lambert_ggx", "a GGX lobe over a diffuse base"),
+            ("of_lambert", "a diffuse base"),
+        ] {
+            let share = |part: &str| 100.0 * error[key][part].as_f64().unwrap_or(f64::NAN);
+            let [mean, median, p90] = ["mean", "median", "p90"].map(share);
+            lines.push(format!(
+                "  off by {mean:6.1} % in the mean, {median:5.1} in the median, {p90:5.1} at 90 %: {name}"
+            ));
+        }
+    }
+    lines.join("\n") + "\n"
 }

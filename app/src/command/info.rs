@@ -9,7 +9,7 @@ use nbrdf_core::metric::{ImageMetric, Metric, Physics, Rendered, directional_alb
 use nbrdf_core::nbrdf::Live;
 use nbrdf_core::sampler::lobe::Lobe;
 use nbrdf_core::sampling::{evaluate, rus32k};
-use nbrdf_core::{Database, Material, Nbrdf, Representation};
+use nbrdf_core::{Database, Material, Nbrdf, Representation, Split};
 use serde_json::{Value, json};
 
 use super::Global;
@@ -65,7 +65,7 @@ impl Info {
         shelf.catalog.check_used()?;
         let summary = json!({
             "schema": 1, "name": item.material.name, "database": Database::of(&item.material.name),
-            "split": item.split(), "held_out": item.split() == Some(nbrdf_core::Split::HeldOut),
+            "split": item.split(), "held_out": item.split() == Some(Split::HeldOut),
             "hidden": item.material.network.as_ref().map(Nbrdf::hidden),
             "live": live.as_ref().map(|(live, whole)| json!({
                 "units": live.units.each_ref().map(Vec::len), "multiply_adds": live.multiply_adds(),
@@ -134,8 +134,10 @@ impl Text<'_> {
         let mut lines = vec![item.material.name.clone()];
         let mut line = |key: &str, value: String| lines.push(format!("  {key:16}{value}"));
         let split = match item.split() {
-            Some(split) if split.is_training() => ", seen in training",
-            Some(_) => ", held out",
+            Some(Split::HeldOut) => ", held out",
+            // Of RGL nothing is learned, held out or not.
+            Some(_) if Database::of(&item.material.name) == Database::Rgl => ", not learned from",
+            Some(_) => ", learned from",
             None => "",
         };
         line("database", format!("{}{split}", Database::of(&item.material.name)));

@@ -29,7 +29,8 @@ pub struct Learn {
     /// File to write (.safetensors).
     #[arg(short, long, value_name = "FILE")]
     output: PathBuf,
-    /// Components of a PCA, coordinates of a chart, or directions of optimal sampling, in place of those in the name.
+    /// Components of a PCA, coordinates of a chart, or directions of optimal sampling, in place of as many as the name says;
+    /// the name stays.
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=512))]
     numbers: Option<u16>,
     /// Cells of a PCA's tables: 60 x 40 x 80, or the 90 x 90 x 180 of MERL with 8 times the memory.

@@ -2,8 +2,8 @@
 
 use anyhow::Result;
 use clap::Args;
-use nbrdf_core::Split;
 use nbrdf_core::library::Entry;
+use nbrdf_core::{Database, Split};
 use serde_json::{Value, json};
 
 use super::Global;
@@ -21,6 +21,7 @@ impl List {
     /// Runs the command.
     pub fn run(&self, global: &Global) -> Result<()> {
         let shelf = self.sources.open()?;
+        shelf.catalog.check_used()?;
         let library = shelf.library();
         let summary = json!({
             "schema": 1,
@@ -43,6 +44,8 @@ fn row(entry: &Entry) -> Value {
 
 fn line(entry: &Entry, widest: usize) -> String {
     let split = match split_of(&entry.name) {
+        // Of RGL nothing is learned, held out or not.
+        Some(Split::Validation | Split::Train) if entry.database == Database::Rgl => "",
         Some(Split::HeldOut) => "held out",
         Some(Split::Validation) => "validation",
         Some(Split::Train) => "train",

@@ -10,7 +10,7 @@ use nbrdf_core::render::{Light, Sphere};
 use serde_json::json;
 use surroundings::Surroundings;
 
-use super::Global;
+use super::{Global, warn_of_distance};
 use crate::material::Sources;
 use crate::{output, report};
 
@@ -71,6 +71,7 @@ impl Render {
         let shelf = self.sources.open()?;
         let item = shelf.any(&self.material)?;
         shelf.catalog.check_used()?;
+        warn_of_distance(global, &item, &shelf)?;
         global.check_energy(&item.material.name, item.albedo_max())?;
         let light = self.light.light();
         let lamps_only = environment.is_none();

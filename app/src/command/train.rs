@@ -80,10 +80,23 @@ impl Train {
         let walks = families::random_walks(global.seed(), WALKS);
         let data = TrainingData { measured: &measured, analytic: &analytic, walks: &walks, networks: &networks, start };
         if self.resume && !autoencoder::state_of(&self.output).exists() {
+            if self.output.exists() {
+                let found = format!("{} is finished, and there is no state to go on from", self.output.display());
+                return Err(Failure::Usage(format!("{found}: leave out --resume to train anew")).into());
+            }
             global.warn(format_args!(
                 "no saved state at {}: starting anew",
                 autoencoder::state_of(&self.output).display()
             ))?;
+        }
+        if measured.len() < 2 {
+            let from =
+                self.library.as_ref().map_or("the built-in library".to_owned(), |path| path.display().to_string());
+            return Err(Failure::InvalidFile(format!(
+                "{from}: expected two or more materials to learn from, found {}: RGL and held-out materials are for testing",
+                measured.len()
+            ))
+            .into());
         }
         let bar = progress::bar(options.steps as u64, "training", global.quiet);
         let mut last = None;

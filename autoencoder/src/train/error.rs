@@ -32,7 +32,9 @@ pub enum TrainError {
         found: usize,
     },
     /// A state was saved with other options or data.
-    #[error("{path}: saved by a training with other options: {found}; expected {expected}")]
+    #[error(
+        "{path}: expected the state of a training with {expected}, found one with {found}: ask for the same, or remove it"
+    )]
     OtherRun {
         /// The state.
         path: String,

@@ -47,6 +47,25 @@ pub(super) fn save(path: &Path, run: Run, model: &dyn Model, optimizer: &AdamW) 
     Ok(checkpoint::save(path, &tensors, (KEY, &serde_json::json!(header).to_string()))?)
 }
 
+/// The options that differ between two headers, and whether the data do, as `name value`, each for both.
+fn differences(one: &Header, other: &Header) -> [String; 2] {
+    let options = |header: &Header| match serde_json::json!(header.options) {
+        serde_json::Value::Object(options) => options,
+        _ => serde_json::Map::new(),
+    };
+    let (ours, theirs) = (options(one), options(other));
+    let keys = ours.iter().filter(|(key, value)| theirs.get(*key) != Some(*value)).map(|(key, _)| key.as_str());
+    let data = (one.data != other.data).then_some("data");
+    let keys: Vec<&str> = keys.chain(data).collect();
+    [(&ours, &one.data), (&theirs, &other.data)].map(|(options, data)| {
+        let show = |key: &&str| match options.get(*key) {
+            Some(value) => format!("{key} {value}"),
+            None => format!("{key} {data}"),
+        };
+        keys.iter().map(show).collect::<Vec<_>>().join(", ")
+    })
+}
+
 /// Puts a saved state into the model and the optimizer.
 pub(super) fn load(path: &Path, run: Run, model: &dyn Model, optimizer: &mut AdamW) -> Result<(), TrainError> {
     let file = Checkpoint::load(path)?;
@@ -56,12 +75,8 @@ pub(super) fn load(path: &Path, run: Run, model: &dyn Model, optimizer: &mut Ada
     };
     let expected = Header { step: header.step, options: run.options.clone(), data: run.data.to_owned() };
     if header.options != expected.options || header.data != expected.data {
-        let show = |header: &Header| serde_json::json!({"options": header.options, "data": header.data}).to_string();
-        return Err(TrainError::OtherRun {
-            path: file.file.path().to_owned(),
-            expected: show(&expected),
-            found: show(&header),
-        });
+        let [expected, found] = differences(&expected, &header);
+        return Err(TrainError::OtherRun { path: file.file.path().to_owned(), expected, found });
     }
     file.restore(model)?;
     for (Parameter { name, var, .. }, moments) in model.parameters().iter().zip(&mut optimizer.moments) {

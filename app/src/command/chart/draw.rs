@@ -41,7 +41,11 @@ pub fn scatter(saved: &Saved, metric: &str, is_dark: bool) -> Scatter {
         panels: vec![
             panel("Evaluation", "ns per evaluation, one thread", &|point| point.ns),
             panel("Storage", "bytes per material, what is shared not counted", &|point| point.bytes as f64),
-            panel("Encoding", "seconds per material, median", &|point| point.encode_s),
+            panel(
+                "Encoding (nbrdf, nbrdf_half, nbrdf_byte: found in the library, not fitted)",
+                "seconds per material, median",
+                &|point| point.encode_s,
+            ),
         ],
         is_dark,
     }

@@ -8,6 +8,7 @@ use nbrdf_core::metric::{albedo_max, albedo_max_around};
 use nbrdf_core::nbrdf::anisotropic::AnisotropicNbrdf;
 use nbrdf_core::nbrdf::file;
 use nbrdf_core::nbrdf::fit::{FitOptions, fit, fit_anisotropic, fit_list, fit_list_anisotropic};
+use nbrdf_core::sample_list::SampleList;
 use nbrdf_core::{Brdf, Nbrdf};
 
 use crate::progress;
@@ -30,17 +31,30 @@ impl Fitted {
         cancelled: &dyn Fn() -> bool,
     ) -> Result<Self> {
         let fitted = match measured {
-            Measured::Everywhere(table) | Measured::Turning(table) if turns => {
-                fit_anisotropic(start, table.as_ref(), options, cancelled).map(Self::Turning)
-            }
-            Measured::Everywhere(table) | Measured::Turning(table) => {
-                fit(start, table.as_ref(), options, cancelled).map(Self::Isotropic)
-            }
-            Measured::Somewhere(list) if turns => {
-                fit_list_anisotropic(start, list, options, cancelled).map(Self::Turning)
-            }
-            Measured::Somewhere(list) => fit_list(start, list, options, cancelled).map(Self::Isotropic),
+            Measured::Somewhere(list) => return Self::to_list(list, turns, start, options, cancelled),
+            Measured::Everywhere(table) | Measured::Turning(table) => match turns {
+                true => fit_anisotropic(start, table.as_ref(), options, cancelled).map(Self::Turning),
+                false => fit(start, table.as_ref(), options, cancelled).map(Self::Isotropic),
+            },
         };
+        Self::done(fitted)
+    }
+
+    /// Fits to samples.
+    pub fn to_list(
+        list: &SampleList,
+        turns: bool,
+        start: &Nbrdf,
+        options: FitOptions,
+        cancelled: &dyn Fn() -> bool,
+    ) -> Result<Self> {
+        Self::done(match turns {
+            true => fit_list_anisotropic(start, list, options, cancelled).map(Self::Turning),
+            false => fit_list(start, list, options, cancelled).map(Self::Isotropic),
+        })
+    }
+
+    fn done(fitted: Option<Self>) -> Result<Self> {
         progress::check()?;
         fitted.context("the fit has diverged: are all measured values finite?")
     }
