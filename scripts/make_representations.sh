@@ -13,7 +13,8 @@ nbrdf=target/release/nbrdf
 lengths=()
 for dim in 4 8 16; do
     checkpoint=target/sizes-8000/size-$dim.safetensors
-    [ ! -f "$checkpoint" ] || lengths+=(--checkpoint "$checkpoint")
+    [ -f "$checkpoint" ] || { echo "missing: $checkpoint — scripts/sizes.sh makes it" >&2; exit 1; }
+    lengths+=(--checkpoint "$checkpoint")
 done
 "$nbrdf" chart "${lengths[@]}" -o docs/images/chart.svg --json > "$out/chart.json"
 "$nbrdf" reconstruct --draws 20 -o docs/images/reconstruct.svg > "$out/reconstruct.txt"

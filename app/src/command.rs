@@ -80,7 +80,6 @@ impl Global {
     }
 }
 
-/// Warns of a material that reflects more light than it gets.
 /// Codes of ZNBRDF that are farther from those of training, in distances between neighbours among these, are of no
 /// material: measured ones stay below 6.
 const FARTHEST: f64 = 20.0;
@@ -97,6 +96,7 @@ fn warn_of_distance(global: &Global, item: &Item, shelf: &Shelf) -> Result<()> {
     }
 }
 
+/// Warns of a material that reflects more light than it gets.
 fn warn_of_energy(global: &Global, material: &Material) -> Result<()> {
     global.check_energy(&material.name, albedo_max(material.brdf.as_ref()))
 }

@@ -14,6 +14,10 @@ pub const NETWORKS: [&str; 3] = ["npz", "safetensors", "npy"];
 
 /// Refuses a path of another extension, and one that cannot be written.
 pub fn check(path: &Path, extensions: &[&str]) -> Result<()> {
+    // A terminal, a pipe or a device has no extension.
+    if std::fs::metadata(path).is_ok_and(|found| !found.is_file() && !found.is_dir()) {
+        return check_writable(path);
+    }
     let extension = path.extension().and_then(|extension| extension.to_str()).unwrap_or_default();
     if !extensions.contains(&extension) {
         let known: Vec<String> = extensions.iter().map(|known| format!(".{known}")).collect();

@@ -30,7 +30,11 @@ pub fn write(path: &Path, bytes: &[u8]) -> Result<()> {
 /// Where a symbolic link leads to; another path is itself.
 fn behind_links(path: &Path) -> Result<PathBuf> {
     match fs::symlink_metadata(path) {
-        Ok(found) if found.is_symlink() => fs::canonicalize(path),
+        // A link to nothing yet: where it points to.
+        Ok(found) if found.is_symlink() => fs::canonicalize(path).or_else(|_| {
+            let target = fs::read_link(path)?;
+            Ok(path.parent().unwrap_or(Path::new(".")).join(target))
+        }),
         _ => Ok(path.to_owned()),
     }
 }
@@ -49,10 +53,8 @@ pub fn check(path: &Path) -> Result<()> {
         return Err(Error::new(ErrorKind::IsADirectory, "is a folder: name a file"));
     }
     let path = behind_links(path)?;
-    if is_no_file(&path) {
-        return OpenOptions::new().write(true).open(&path).map(drop);
-    }
-    beside(&path).map(drop)
+    // A pipe that is opened now would wait for its reader, and be closed to him again.
+    if is_no_file(&path) { Ok(()) } else { beside(&path).map(drop) }
 }
 
 /// A temporary file in the folder of `path`.
@@ -106,6 +108,9 @@ mod tests {
         write(&link, b"new").unwrap();
         assert_eq!(fs::read(&target).unwrap(), b"new");
         assert!(fs::symlink_metadata(&link).unwrap().is_symlink());
+        fs::remove_file(&target).unwrap();
+        write(&link, b"again").unwrap();
+        assert_eq!(fs::read(&target).unwrap(), b"again");
         write(std::path::Path::new("/dev/null"), b"gone").unwrap();
         check(std::path::Path::new("/dev/null")).unwrap();
         assert!(!fs::metadata("/dev/null").unwrap().is_file());

@@ -41,6 +41,14 @@ fn what_is_no_report_exits_with_3_and_draws_nothing() {
         let said = place.run(&["chart", "--from", name, "-o", "x.svg"]).fails(3);
         assert!(said.contains(name) && said.contains("expected a report of `nbrdf chart --json`"), "{said}");
     }
+    for (name, point) in [("d.json", point("minus", -1.0, 0.1)), ("e.json", point("\u{1b}[31m", 1.0, 0.1))] {
+        let report = json!({"schema": 1, "reference": "r", "materials": 1, "quick": true, "points": [point]});
+        place.write(name, report.to_string().as_bytes());
+        assert!(place.run(&["chart", "--from", name, "-o", "x.svg"]).fails(3).contains("that nobody measures"));
+    }
+    place.write("f.json", of(1).to_string().as_bytes());
+    let said = place.run(&["chart", "--from", "f.json", "--metric", "point_flip", "-o", "x.svg"]).fails(3);
+    assert!(said.contains("expected points with point_flip"), "{said}");
     place.run(&["chart", "--from", "missing.json", "-o", "x.svg"]).fails(3);
     place.run(&["chart", "--from", "a.json", "-o", "x.jpg"]).fails(2);
     place.run(&["chart", "--metric", "studio_psnr"]).fails(2);

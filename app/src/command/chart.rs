@@ -56,6 +56,7 @@ impl Chart {
             Some(path) => Saved::load(path)?,
             None => self.measure(global)?,
         };
+        saved.check_metric(&self.metric)?;
         let svg = draw::scatter(&saved, &self.metric, self.dark).svg();
         let written = match self.output.extension().is_some_and(|extension| extension == "png") {
             true => atomic::write(&self.output, &png(&svg)?),
@@ -78,6 +79,7 @@ impl Chart {
             .iter()
             .map(|path| Catalog::for_measuring(self.reference.as_deref(), Some(path)))
             .collect::<Result<Vec<_>>>()?;
+        others.iter().try_for_each(Catalog::check_used)?;
         let bench = Bench::new(materials, global.seed(), repeats);
         let codes = REPRESENTATIONS.iter().filter(|entry| entry.name == "znbrdf").count();
         let total = (REPRESENTATIONS.len() + codes * others.len()) * bench.count();

@@ -56,6 +56,7 @@ impl Edit {
         }
         let shelf = self.sources.open()?;
         let item = shelf.material_or_code(&self.material)?;
+        shelf.catalog.check_used()?;
         let known = shelf.catalog.autoencoder();
         let prior = known.prior().context("this model remembers no materials to learn axes from")?;
         let start = match &item.code {
@@ -67,7 +68,6 @@ impl Edit {
             }
             None => shelf.catalog.representation(known.name(), false)?.encode(&item.material)?,
         };
-        shelf.catalog.check_used()?;
         let decoded = known.decode(&start)?;
         let mut numbers = start.code.clone();
         let before = Qualities::of(decoded.as_ref());

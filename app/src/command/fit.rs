@@ -68,6 +68,10 @@ impl Fit {
             progress::cancelled()
         };
         let fitted = Fitted::to(&measured, turns, &start, options, &cancelled)?;
+        let material = measured::name_of(&self.source);
+        global.check_energy(&material, fitted.albedo_max())?;
+        // Before it is judged by more fits: what is done is not lost with them.
+        fitted.write(&self.output)?;
         let error = match &measured {
             Measured::Everywhere(table) | Measured::Turning(table) => table_error(table.as_ref(), fitted.brdf(), turns),
             Measured::Somewhere(list) => {
@@ -76,9 +80,6 @@ impl Fit {
             }
         };
         bar.finish_and_clear();
-        let material = measured::name_of(&self.source);
-        global.check_energy(&material, fitted.albedo_max())?;
-        fitted.write(&self.output)?;
         let summary = json!({
             "schema": 1, "material": material, "source": self.source.display().to_string(),
             "hidden": fitted.hidden(), "weights": fitted.weights().len(), "anisotropic": turns,

@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 
+use nbrdf_core::metric::Spread;
 use serde::{Deserialize, Serialize};
 
 use super::quality::Quality;
@@ -29,7 +30,7 @@ impl Band {
         let rank = |share: f64| {
             let place = share * (sorted.len() - 1) as f64;
             let (low, high) = (sorted[place.floor() as usize], sorted[place.ceil() as usize]);
-            low + place.fract() * (high - low)
+            if low == high { low } else { low + place.fract() * (high - low) }
         };
         Some(Self { mean: sorted.iter().sum::<f64>() / sorted.len() as f64, p10: rank(0.1), p90: rank(0.9), max })
     }
@@ -65,8 +66,7 @@ impl Point {
         let values =
             |key: &str| quality.materials.iter().filter_map(|own| own.figures.get(key).copied()).collect::<Vec<_>>();
         let band = |key: &str| Some((key.to_owned(), Band::of(values(key).into_iter())?));
-        let mut encode = values("encode_s");
-        encode.sort_by(f64::total_cmp);
+        let encode = Spread::new(values("encode_s").into_iter().map(|v| ("", v)), false)?;
         Some(Self {
             name: if entry.name == "znbrdf" { format!("znbrdf_{}", quality.dim) } else { entry.name.to_owned() },
             variant: entry.variant.name().to_owned(),
@@ -75,9 +75,23 @@ impl Point {
             ratio_to_reference_loop: cost.ratio_to_reference_loop,
             bytes: quality.bytes,
             shared_bytes: quality.shared_bytes,
-            encode_s: *encode.get(encode.len() / 2)?,
+            encode_s: encode.median,
             error: METRICS.iter().filter_map(|key| band(key)).collect(),
         })
+    }
+
+    /// Whether it could have been measured: printable words, finite numbers, none below 0, times above.
+    pub fn is_sound(&self) -> bool {
+        let is_word = |text: &str| (1..=64).contains(&text.len()) && !text.chars().any(char::is_control);
+        let is_time = |value: f64| value.is_finite() && value > 0.0;
+        let is_error =
+            |band: &Band| [band.mean, band.p10, band.p90, band.max].iter().all(|v| v.is_finite() && *v >= 0.0);
+        is_word(&self.name)
+            && is_word(&self.variant)
+            && is_time(self.ns)
+            && is_time(self.ratio_to_reference_loop)
+            && is_time(self.encode_s)
+            && self.error.values().all(is_error)
     }
 
     /// Its name, with how its codes are made where that is not the plain way.

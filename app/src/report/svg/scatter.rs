@@ -55,6 +55,13 @@ pub struct Spot {
     pub about: String,
 }
 
+impl Spot {
+    /// Whether logarithmic axes have a place for it.
+    fn is_shown(&self) -> bool {
+        [self.x, self.y].iter().all(|v| *v > 0.0 && v.is_finite())
+    }
+}
+
 /// One pair of axes.
 pub struct Panel {
     /// What is set against what.
@@ -143,8 +150,7 @@ impl Scatter {
             frame.y + 14.0,
             escaped(&panel.title)
         )?;
-        let is_shown = |spot: &&Spot| spot.x > 0.0 && spot.y > 0.0 && spot.x.is_finite() && spot.y.is_finite();
-        let shown: Vec<&Spot> = panel.spots.iter().filter(is_shown).collect();
+        let shown: Vec<&Spot> = panel.spots.iter().filter(|spot| spot.is_shown()).collect();
         let (Some(across), Some(along)) = (
             Axis::of(shown.iter().map(|spot| spot.x), plot.x + 10.0, plot.width - 20.0),
             Axis::of(
@@ -187,10 +193,11 @@ impl Scatter {
             escaped(&panel.x_label)
         )?;
         let place = |spot: &Spot| [across.place(spot.x), along.place(spot.y)];
-        steps(out, panel.front.iter().filter_map(|&i| panel.spots.get(i)).filter(is_shown).map(place))?;
+        steps(out, panel.front.iter().filter_map(|&i| panel.spots.get(i)).filter(|spot| spot.is_shown()).map(place))?;
         for spot in &shown {
             let [x, _] = place(spot);
-            let [low, high] = spot.band.map(|v| along.place(v));
+            // A band down to nothing ends at the axis.
+            let [low, high] = spot.band.map(|v| along.place(if v > 0.0 { v } else { spot.y }));
             let colour = self.kinds[spot.kind].colour;
             writeln!(
                 out,

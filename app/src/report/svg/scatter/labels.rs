@@ -46,7 +46,8 @@ pub(super) fn labels(
         let [x, y] = place(spot);
         Frame { x: x - spot.size, y: y - spot.size, width: 2.0 * spot.size, height: 2.0 * spot.size }
     };
-    let corners: Vec<[f64; 2]> = panel.front.iter().filter_map(|&i| panel.spots.get(i)).map(place).collect();
+    let on_front = panel.front.iter().filter_map(|&i| panel.spots.get(i));
+    let corners: Vec<[f64; 2]> = on_front.filter(|spot| spot.is_shown()).map(place).collect();
     let steps = corners.windows(2).flat_map(|pair| step(pair[0], pair[1]));
     let mut taken: Vec<Frame> = shown.iter().map(|spot| mark(spot)).chain(steps).collect();
     let is_front =
