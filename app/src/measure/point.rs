@@ -22,17 +22,12 @@ pub struct Band {
 }
 
 impl Band {
-    /// Of these values, percentiles by linear interpolation between ranks; none of no values.
-    pub fn of(values: impl Iterator<Item = f64>) -> Option<Self> {
-        let mut sorted: Vec<f64> = values.collect();
-        sorted.sort_by(f64::total_cmp);
-        let max = *sorted.last()?;
-        let rank = |share: f64| {
-            let place = share * (sorted.len() - 1) as f64;
-            let (low, high) = (sorted[place.floor() as usize], sorted[place.ceil() as usize]);
-            if low == high { low } else { low + place.fract() * (high - low) }
-        };
-        Some(Self { mean: sorted.iter().sum::<f64>() / sorted.len() as f64, p10: rank(0.1), p90: rank(0.9), max })
+    /// Of these values; none of no values.
+    pub fn of(values: &[f64]) -> Option<Self> {
+        let spread = |higher_is_better| Spread::new(values.iter().map(|&v| ("", v)), higher_is_better);
+        let Spread { mean, p90, max, .. } = spread(false)?;
+        // Where higher is better, nine in ten reach it.
+        Some(Self { mean, p10: spread(true)?.p90, p90, max })
     }
 }
 
@@ -65,7 +60,7 @@ impl Point {
         let cost = quality.cost?;
         let values =
             |key: &str| quality.materials.iter().filter_map(|own| own.figures.get(key).copied()).collect::<Vec<_>>();
-        let band = |key: &str| Some((key.to_owned(), Band::of(values(key).into_iter())?));
+        let band = |key: &str| Some((key.to_owned(), Band::of(&values(key))?));
         let encode = Spread::new(values("encode_s").into_iter().map(|v| ("", v)), false)?;
         Some(Self {
             name: if entry.name == "znbrdf" { format!("znbrdf_{}", quality.dim) } else { entry.name.to_owned() },
@@ -113,8 +108,8 @@ mod tests {
 
     #[test]
     fn a_band_holds_eight_of_ten() {
-        let band = Band::of((0..=10).map(f64::from)).unwrap();
+        let band = Band::of(&(0..=10).map(f64::from).collect::<Vec<_>>()).unwrap();
         assert_eq!((band.mean, band.p10, band.p90, band.max), (5.0, 1.0, 9.0, 10.0));
-        assert!(Band::of(std::iter::empty()).is_none());
+        assert!(Band::of(&[]).is_none());
     }
 }

@@ -77,7 +77,7 @@ impl LogChart {
         let places = self.series.iter().flat_map(|series| &series.points).map(|point| point.0).fold(1.0, f64::max);
         let x = |place: f64| LEFT + 8.0 + place / places * (WIDTH - LEFT - RIGHT - 16.0);
         let y = |value: f64| TOP + (high - value.log10()) / (high - low) * (HEIGHT - TOP - BOTTOM);
-        head(out, &self.title, &self.subtitle)?;
+        head(out, &self.title, &self.subtitle, [WIDTH, HEIGHT], STYLE)?;
         for decade in low as i32..=high as i32 {
             height(out, y(10f64.powi(decade)), &power(decade))?;
         }
@@ -110,14 +110,14 @@ fn empty(out: &mut String) -> fmt::Result {
     write!(out, "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{WIDTH}\" height=\"{HEIGHT}\"/>")
 }
 
-/// Opens the file: page, title, subtitle.
-fn head(out: &mut String, title: &str, subtitle: &str) -> fmt::Result {
+/// Opens the file: style sheet, page, title, subtitle.
+fn head(out: &mut String, title: &str, subtitle: &str, [width, height]: [f64; 2], style: &str) -> fmt::Result {
     let (title, subtitle) = (escaped(title), escaped(subtitle));
     writeln!(
         out,
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {WIDTH} {HEIGHT}\" width=\"{WIDTH}\" \
-         height=\"{HEIGHT}\" role=\"img\">\n<title>{title}</title>\n<style>{STYLE}</style>\n\
-         <rect class=\"page\" width=\"{WIDTH}\" height=\"{HEIGHT}\"/>\n\
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {width} {height}\" width=\"{width}\" \
+         height=\"{height}\" role=\"img\">\n<title>{title}</title>\n<style>{style}</style>\n\
+         <rect class=\"page\" width=\"{width}\" height=\"{height}\"/>\n\
          <text class=\"title\" x=\"16\" y=\"28\">{title}</text>\n\
          <text class=\"quiet\" x=\"16\" y=\"48\">{subtitle}</text>"
     )

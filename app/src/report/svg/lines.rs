@@ -2,7 +2,9 @@
 
 use std::fmt::{self, Write};
 
-use super::{BOTTOM, HEIGHT, LEFT, RIGHT, Series, TOP, WIDTH, empty, escaped, head, height, labels, mark, power};
+use super::{
+    BOTTOM, HEIGHT, LEFT, RIGHT, STYLE, Series, TOP, WIDTH, empty, escaped, head, height, labels, mark, power,
+};
 
 /// Numbers written below the axis, at most.
 const TICKS: f64 = 10.0;
@@ -55,7 +57,7 @@ impl LineChart {
         let (low, high) = (ticks[0].0, ticks[ticks.len() - 1].0);
         let x = |place: f64| LEFT + 8.0 + place / widest * (WIDTH - LEFT - RIGHT - 16.0);
         let y = |position: f64| TOP + (high - position) / (high - low) * (HEIGHT - TOP - BOTTOM);
-        head(out, &self.title, &self.subtitle)?;
+        head(out, &self.title, &self.subtitle, [WIDTH, HEIGHT], STYLE)?;
         for (position, tick) in &ticks {
             height(out, y(*position), tick)?;
         }

@@ -2,7 +2,7 @@
 
 use std::fmt::{self, Write};
 
-use super::{STYLE, escaped};
+use super::{STYLE, escaped, head};
 
 const WIDTH: f64 = 1180.0;
 const HEIGHT: f64 = 860.0;
@@ -66,14 +66,7 @@ impl Map {
     }
 
     fn write(&self, out: &mut String) -> fmt::Result {
-        let (title, subtitle) = (escaped(&self.title), escaped(&self.subtitle));
-        writeln!(
-            out,
-            "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {WIDTH} {HEIGHT}\" width=\"{WIDTH}\" \
-             height=\"{HEIGHT}\" role=\"img\">\n<title>{title}</title>\n<style>{STYLE}{OWN_STYLE}</style>\n\
-             <rect class=\"page\" width=\"{WIDTH}\" height=\"{HEIGHT}\"/>\n\
-             <text class=\"title\" x=\"16\" y=\"28\">{title}</text>\n<text class=\"quiet\" x=\"16\" y=\"48\">{subtitle}</text>"
-        )?;
+        head(out, &self.title, &self.subtitle, [WIDTH, HEIGHT], &(STYLE.to_owned() + OWN_STYLE))?;
         let at = self.on_page();
         let labels = self.labels(&at);
         for (frame, &[x, y]) in labels.iter().zip(&at) {

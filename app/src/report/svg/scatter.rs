@@ -6,7 +6,7 @@ mod shape;
 
 use std::fmt::{self, Write};
 
-use super::{STYLE, escaped};
+use super::{STYLE, escaped, head};
 use axis::Axis;
 use labels::{Frame, labels};
 use shape::shape;
@@ -102,16 +102,8 @@ impl Scatter {
     fn write(&self, out: &mut String) -> fmt::Result {
         let below = self.panels.len().saturating_sub(1);
         let height = TOP + FIRST + if below > 0 { GAP + OTHERS } else { 0.0 } + 10.0;
-        let (title, subtitle) = (escaped(&self.title), escaped(&self.subtitle));
         let style = if self.is_dark { dark(STYLE) } else { STYLE.to_owned() };
-        writeln!(
-            out,
-            "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {WIDTH} {height}\" width=\"{WIDTH}\" \
-             height=\"{height}\" role=\"img\">\n<title>{title}</title>\n<style>{style}{MORE}</style>\n\
-             <rect class=\"page\" width=\"{WIDTH}\" height=\"{height}\"/>\n\
-             <text class=\"title\" x=\"16\" y=\"28\">{title}</text>\n\
-             <text class=\"quiet\" x=\"16\" y=\"48\">{subtitle}</text>"
-        )?;
+        head(out, &self.title, &self.subtitle, [WIDTH, height], &(style + MORE))?;
         self.legend(out)?;
         for (place, panel) in self.panels.iter().enumerate() {
             let frame = match place {
