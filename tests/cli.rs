@@ -12,6 +12,8 @@ mod linear;
 mod manifold;
 #[path = "cli/measured.rs"]
 mod measured;
+#[path = "cli/plan.rs"]
+mod plan;
 #[path = "cli/reconstruct.rs"]
 mod reconstruct;
 mod support;

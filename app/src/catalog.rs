@@ -7,6 +7,7 @@ mod bases;
 mod family;
 mod held;
 mod interpolations;
+mod ladder;
 mod learned;
 mod once;
 mod reference;
@@ -23,6 +24,7 @@ use nbrdf_core::{Interpolation, Representation};
 
 pub use family::Family;
 pub use interpolations::INTERPOLATIONS;
+pub use ladder::{Ladder, NBRDF};
 pub use learned::{BasisSize, Catalog};
 pub use reference::Reference;
 pub use representations::REPRESENTATIONS;

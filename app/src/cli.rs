@@ -9,7 +9,8 @@ use crate::command::Global;
 use crate::command::{
     axes::Axes, blend::Blend, chart::Chart, compare::Compare, completions::Completions, decode::Decode, edit::Edit,
     encode::Encode, evaluate::Evaluate, fit::Fit, import::Import, info::Info, learn::Learn, linear::Linear, list::List,
-    manifold::Manifold, reconstruct::Reconstruct, render::Render, sampling::Sampling, speed::Speed, train::Train,
+    manifold::Manifold, plan::Plan, reconstruct::Reconstruct, render::Render, sampling::Sampling, speed::Speed,
+    train::Train,
 };
 use crate::failure::{advice, exit_code};
 
@@ -46,6 +47,7 @@ enum Command {
     Sampling(Sampling),
     Reconstruct(Reconstruct),
     Chart(Chart),
+    Plan(Plan),
     Speed(Speed),
     Completions(Completions),
 }
@@ -90,6 +92,7 @@ impl Cli {
             Some(Command::Sampling(command)) => command.run(&self.global),
             Some(Command::Reconstruct(command)) => command.run(&self.global),
             Some(Command::Chart(command)) => command.run(&self.global),
+            Some(Command::Plan(command)) => command.run(&self.global),
             Some(Command::Speed(command)) => command.run(&self.global),
             Some(Command::Encode(command)) => command.run(&self.global),
             Some(Command::Decode(command)) => command.run(&self.global),

@@ -16,6 +16,7 @@ pub mod learn;
 pub mod linear;
 pub mod list;
 pub mod manifold;
+pub mod plan;
 pub mod reconstruct;
 pub mod render;
 pub mod sampling;

@@ -11,6 +11,7 @@ use nbrdf_core::representation::charting::ChartingError;
 use nbrdf_core::representation::measured_tables::BasisError;
 use nbrdf_core::representation::pca::PcaError;
 use nbrdf_core::representation::{DecodeError, EncodeError};
+use nbrdf_core::scene::SceneError;
 use nbrdf_core::tensor_file::TensorFileError;
 
 /// A failure that is the user's to mend, with the exit code that says which kind it is.
@@ -44,6 +45,7 @@ pub fn exit_code(error: &anyhow::Error) -> u8 {
             || cause.is::<PcaError>()
             || cause.is::<ChartingError>()
             || cause.is::<EnvironmentError>()
+            || cause.is::<SceneError>()
             || cause.downcast_ref().is_some_and(invalid_checkpoint)
             || cause.downcast_ref().is_some_and(invalid_tensors)
             || matches!(cause.downcast_ref(), Some(RefitError::NothingToLearnFrom { .. } | RefitError::Library(_)))

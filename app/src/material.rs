@@ -57,11 +57,16 @@ impl Sources {
             Some(path) => catalog.with_checkpoint(path)?,
             None => catalog,
         };
-        Ok(Shelf { library: self.library.as_deref().map(Library::load).transpose()?, catalog })
+        Ok(Shelf::new(self.library.as_deref().map(Library::load).transpose()?, catalog))
     }
 }
 
 impl Shelf {
+    /// Names of this library, or of the built-in one.
+    pub const fn new(library: Option<Library>, catalog: Catalog) -> Self {
+        Self { library, catalog }
+    }
+
     /// The library that names refer to.
     pub fn library(&self) -> &Library {
         self.library.as_ref().unwrap_or_else(|| builtin::shared())

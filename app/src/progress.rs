@@ -19,6 +19,18 @@ pub fn bar(length: u64, what: &str, quiet: bool) -> ProgressBar {
     bar
 }
 
+/// A sign of life for work of unknown length.
+pub fn spinner(what: &str, quiet: bool) -> ProgressBar {
+    if quiet || !std::io::stderr().is_terminal() {
+        return ProgressBar::hidden();
+    }
+    let spinner = ProgressBar::new_spinner();
+    let template = "{prefix:>12} {spinner} {pos} {msg} {elapsed}";
+    spinner.set_style(ProgressStyle::with_template(template).unwrap_or_else(|_| ProgressStyle::default_spinner()));
+    spinner.set_prefix(what.to_owned());
+    spinner
+}
+
 /// Whether the user has asked to stop; the first call starts listening for Ctrl-C.
 pub fn cancelled() -> bool {
     static LISTENING: OnceLock<()> = OnceLock::new();

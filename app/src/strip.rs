@@ -1,7 +1,7 @@
 //! The picture of a walk: one row of spheres per method, labelled, on a dark neutral ground.
 
 mod cell;
-mod text;
+pub(crate) mod text;
 
 use nbrdf_core::{Image, Rgb};
 
@@ -32,8 +32,8 @@ pub struct Row {
 
 /// The ground, as displayed: dark, yet lighter than a black material.
 const GROUND: f32 = 0.135;
-const BRIGHT: f32 = 0.93;
-const MUTED: f32 = 0.58;
+pub(crate) const BRIGHT: f32 = 0.93;
+pub(crate) const MUTED: f32 = 0.58;
 const RULE: f32 = 0.22;
 /// Size of the columns' labels \[pixels\].
 const COLUMN: f32 = 15.5;

@@ -116,7 +116,7 @@ pub fn seconds(repeats: usize, mut work: impl FnMut()) -> f64 {
 }
 
 /// The middle one; the mean of the two middle ones where there are two.
-fn median(values: &mut [f64]) -> f64 {
+pub(crate) fn median(values: &mut [f64]) -> f64 {
     values.sort_by(f64::total_cmp);
     let middle = values.len() / 2;
     match values.len() {

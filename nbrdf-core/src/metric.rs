@@ -18,7 +18,7 @@ mod spread;
 mod ssim;
 
 pub use delta_e_itp::{ItpImage, delta_e_itp, delta_e_itp_map, itp_and_slopes};
-pub use flip::{flip, flip_map};
+pub use flip::{Seen, flip, flip_map, flip_of_colors};
 pub use image_errors::{ImageErrors, ImageMetric, image_errors};
 pub use log_error::{LogError, log_error, log_error_estimate};
 pub use physics::{Physics, albedo_max, albedo_max_around, directional_albedo, negative_share, reciprocity};

@@ -10,7 +10,7 @@ pub mod environment;
 mod light;
 mod progressive;
 mod scrub;
-mod sequence;
+pub(crate) mod sequence;
 
 use std::cell::Cell;
 use std::sync::OnceLock;

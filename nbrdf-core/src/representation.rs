@@ -22,6 +22,7 @@ pub mod values;
 
 pub use code::{Code, check_numbers};
 
+use crate::nbrdf::precision::Precision;
 use crate::{Brdf, Material, Nbrdf};
 
 /// A way to store a material as `dim` numbers, and to get it back.
@@ -41,6 +42,11 @@ pub trait Representation: Send + Sync {
     /// Bytes that are kept of every material: a code of single precision, unless a representation says otherwise.
     fn code_bytes(&self) -> usize {
         size_of::<f32>() * self.dim()
+    }
+
+    /// Bits of stored weights, where codes are the weights of networks.
+    fn precision(&self) -> Precision {
+        Precision::Single
     }
 
     /// Bytes that decoding reads beside the code, the same for all materials: basis, decoder.
@@ -118,6 +124,10 @@ impl<R: Representation + ?Sized> Representation for std::sync::Arc<R> {
 
     fn code_bytes(&self) -> usize {
         (**self).code_bytes()
+    }
+
+    fn precision(&self) -> Precision {
+        (**self).precision()
     }
 
     fn shared_bytes(&self) -> usize {

@@ -140,8 +140,14 @@ pub const REPRESENTATIONS: &[RepresentationEntry] = &[
     entry("nbrdf_byte", Family::Network, Variant::Fitted, "NBRDF, weights in bytes with a scale for each unit", |_| {
         Ok(own_network("nbrdf_byte", Precision::Byte))
     }),
+    entry("nbrdf_6", Family::Network, Variant::Fitted, "a 6-6-6-3 network of its own", |_| {
+        Ok(Arc::new(Network::new("nbrdf_6", [6, 6], Precision::Single)))
+    }),
     entry("nbrdf_10", Family::Network, Variant::Fitted, "a 6-10-10-3 network of its own", |_| {
         Ok(Arc::new(Network::new("nbrdf_10", [10, 10], Precision::Single)))
+    }),
+    entry("nbrdf_16", Family::Network, Variant::Fitted, "a 6-16-16-3 network of its own", |_| {
+        Ok(Arc::new(Network::new("nbrdf_16", [16, 16], Precision::Single)))
     }),
     entry("nbrdf_32", Family::Network, Variant::Fitted, "a 6-32-32-3 network of its own", |_| {
         Ok(Arc::new(Network::new("nbrdf_32", [32, 32], Precision::Single)))

@@ -3,6 +3,7 @@
 use nbrdf_core::library::{Entry, Library, builtin};
 use nbrdf_core::metric::{LogError, Metric};
 use nbrdf_core::nbrdf::fit::{FitOptions, fit};
+use nbrdf_core::nbrdf::precision::Precision;
 use nbrdf_core::representation::{DecodeError, EncodeError, Linearized};
 use nbrdf_core::{Brdf, Code, Material, Nbrdf, Representation};
 
@@ -62,6 +63,10 @@ impl<R: Representation> Representation for WithNetwork<R> {
 
     fn code_bytes(&self) -> usize {
         self.inner.code_bytes()
+    }
+
+    fn precision(&self) -> Precision {
+        self.inner.precision()
     }
 
     fn shared_bytes(&self) -> usize {

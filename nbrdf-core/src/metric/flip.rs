@@ -9,11 +9,11 @@ mod feature;
 mod spatial;
 
 use self::{
-    color::{Lab, hunt_lab_from_linear, hyab_hunt, ycxcz_from_srgb},
+    color::{Lab, hunt_lab_from_linear, hyab_hunt, linear_from_ycxcz, ycxcz_from_srgb},
     feature::Features,
 };
 use super::plane::Plane;
-use crate::Image;
+use crate::{Image, Rgb};
 
 /// Pixels per degree of visual angle: 0.7 m from a 4K screen 0.7 m wide.
 const PIXELS_PER_DEGREE: f64 = 67.0;
@@ -44,26 +44,44 @@ pub fn flip_map(reference: &Image, other: &Image) -> Vec<f32> {
     if reference.pixels().is_empty() {
         return Vec::new();
     }
-    let (reference, other) = (Seen::new(reference), Seen::new(other));
-    let largest = largest_color_difference();
-    let error = |i: usize| {
-        let color = stretched(hyab_hunt(reference.color[i], other.color[i]).powf(Q_COLOR), largest);
-        let feature = reference.features.difference(&other.features, i).powf(Q_FEATURE);
-        color.powf(1.0 - feature) as f32
-    };
-    (0..reference.color.len()).map(error).collect()
+    Seen::new(reference).flip_map(&Seen::new(other))
 }
 
-/// What is left of an image in the eye: filtered colours, edges and points.
-struct Seen {
+/// LDR-FLIP of two *displayed* colours on wide fields of them, 0..1: no filter, no edges.
+pub fn flip_of_colors(reference: Rgb, other: Rgb) -> f64 {
+    let lab = |color: Rgb| hunt_lab_from_linear(linear_from_ycxcz(ycxcz_from_srgb(color)));
+    stretched(hyab_hunt(lab(reference), lab(other)).powf(Q_COLOR), largest_color_difference())
+}
+
+/// What is left of an image in the eye, filtered colours, edges and points: for images that are compared with many others.
+pub struct Seen {
     color: Vec<Lab>,
     features: Features,
 }
 
 impl Seen {
-    fn new(displayed: &Image) -> Self {
+    /// How far a pixel is from the farthest that it takes part in.
+    pub const REACH: usize = 10;
+
+    /// Of a *displayed* image of at least one pixel.
+    pub fn new(displayed: &Image) -> Self {
         let opponent = Plane::from_pixels(displayed, ycxcz_from_srgb);
         Self { features: Features::new(&opponent[0]), color: spatial::filtered(&opponent) }
+    }
+
+    /// As [`flip_map`].
+    ///
+    /// # Panics
+    /// If the images differ in size (a bug of the caller).
+    pub fn flip_map(&self, other: &Self) -> Vec<f32> {
+        assert_eq!(self.color.len(), other.color.len(), "images of one size");
+        let largest = largest_color_difference();
+        let error = |i: usize| {
+            let color = stretched(hyab_hunt(self.color[i], other.color[i]).powf(Q_COLOR), largest);
+            let feature = self.features.difference(&other.features, i).powf(Q_FEATURE);
+            color.powf(1.0 - feature) as f32
+        };
+        (0..self.color.len()).map(error).collect()
     }
 }
 
@@ -86,7 +104,6 @@ fn stretched(difference: f64, largest: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::Rgb;
 
     fn flat(value: Rgb) -> Image {
         Image::new(24, 20, vec![value; 480])

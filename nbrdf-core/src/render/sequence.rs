@@ -10,23 +10,23 @@ const STEP: [u64; 2] = [13_925_035_116_211_876_495, 10_511_698_010_929_265_436];
 
 /// A point of \[0, 1)², 64 bits after the point.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct Point([u64; 2]);
+pub(crate) struct Point([u64; 2]);
 
 impl Point {
     /// Of a pixel (by its index) in a pass (from 0); each `purpose` has a sequence of its own.
-    pub(super) fn new(seed: u64, pixel: u64, purpose: u64, pass: u64) -> Self {
+    pub(crate) fn new(seed: u64, pixel: u64, purpose: u64, pass: u64) -> Self {
         let shift = mixed(mixed(mixed(seed) ^ pixel) ^ purpose);
         let shifts = [mixed(shift), mixed(!shift)];
         Self([0, 1].map(|i| shifts[i].wrapping_add(STEP[i].wrapping_mul(pass))))
     }
 
     /// With 53 bits.
-    pub(super) fn f64(self) -> [f64; 2] {
+    pub(crate) fn f64(self) -> [f64; 2] {
         self.0.map(|bits| (bits >> 11) as f64 / (1_u64 << 53) as f64)
     }
 
     /// With 24 bits: rounding all of them could reach 1.
-    pub(super) fn f32(self) -> [f32; 2] {
+    pub(crate) fn f32(self) -> [f32; 2] {
         self.0.map(|bits| (bits >> 40) as f32 / (1_u32 << 24) as f32)
     }
 }

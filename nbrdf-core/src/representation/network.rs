@@ -54,6 +54,10 @@ impl Representation for Network {
         self.precision.bytes(self.hidden)
     }
 
+    fn precision(&self) -> Precision {
+        self.precision
+    }
+
     /// The material's own network where its widths are right, else one fitted to it from a seeded random start.
     fn encode(&self, target: &Material) -> Result<Code, EncodeError> {
         let own = target.network.as_ref().filter(|network| network.hidden() == self.hidden);

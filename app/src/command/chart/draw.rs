@@ -30,6 +30,7 @@ pub fn scatter(saved: &Saved, metric: &str, is_dark: bool) -> Scatter {
         y_label: error.clone(),
         spots: saved.points.iter().map(|point| spot(point, metric, cost(point), sizes)).collect(),
         front: saved.front_of(metric, tie, cost),
+        is_straight: false,
     };
     let kind = |(place, family): (usize, Family)| Kind {
         name: family.title().to_owned(),

@@ -74,6 +74,8 @@ pub struct Panel {
     pub spots: Vec<Spot>,
     /// Places of those on the front, by rising x.
     pub front: Vec<usize>,
+    /// Whether the front is a line from point to point, and not of steps.
+    pub is_straight: bool,
 }
 
 /// The picture: the first panel above, the others side by side below.
@@ -185,7 +187,8 @@ impl Scatter {
             escaped(&panel.x_label)
         )?;
         let place = |spot: &Spot| [across.place(spot.x), along.place(spot.y)];
-        steps(out, panel.front.iter().filter_map(|&i| panel.spots.get(i)).filter(|spot| spot.is_shown()).map(place))?;
+        let front = panel.front.iter().filter_map(|&i| panel.spots.get(i)).filter(|spot| spot.is_shown()).map(place);
+        path(out, front, panel.is_straight)?;
         for spot in &shown {
             let [x, _] = place(spot);
             // A band down to nothing ends at the axis.
@@ -206,18 +209,17 @@ impl Scatter {
     }
 }
 
-/// The front: whoever pays less has at least this error.
-fn steps(out: &mut String, corners: impl Iterator<Item = [f64; 2]>) -> fmt::Result {
+/// The front: a line, or steps, since whoever pays less has at least this error.
+fn path(out: &mut String, corners: impl Iterator<Item = [f64; 2]>, is_straight: bool) -> fmt::Result {
     let mut path = String::new();
-    let mut last: Option<[f64; 2]> = None;
     for [x, y] in corners {
-        match last {
-            None => write!(path, "M{x:.1} {y:.1}")?,
-            Some(_) => write!(path, "H{x:.1}V{y:.1}")?,
+        match (path.is_empty(), is_straight) {
+            (true, _) => write!(path, "M{x:.1} {y:.1}")?,
+            (false, true) => write!(path, "L{x:.1} {y:.1}")?,
+            (false, false) => write!(path, "H{x:.1}V{y:.1}")?,
         }
-        last = Some([x, y]);
     }
-    if last.is_some() { writeln!(out, "<path class=\"front\" d=\"{path}\"/>") } else { Ok(()) }
+    if path.is_empty() { Ok(()) } else { writeln!(out, "<path class=\"front\" d=\"{path}\"/>") }
 }
 
 /// The style sheet as on dark pages.

@@ -23,10 +23,14 @@ impl Axis {
         self.start + (value.log10() - self.low) / (self.high - self.low) * self.length
     }
 
-    /// Powers of ten; twice and five times them as well where there are few.
+    /// Powers of ten; twice and five times them as well where there are few, and all between where there are fewer.
     pub fn ticks(&self) -> Vec<(f64, String)> {
         let decades = self.low.floor() as i32..=self.high.ceil() as i32;
-        let steps: &[u8] = if self.high - self.low < 3.2 { &[1, 2, 5] } else { &[1] };
+        let steps: &[u8] = match self.high - self.low {
+            ..0.8 => &[1, 2, 3, 4, 5, 6, 7, 8, 9],
+            ..3.2 => &[1, 2, 5],
+            _ => &[1],
+        };
         let all = decades
             .flat_map(|decade| steps.iter().map(move |&step| (f64::from(step) * 10f64.powi(decade), decade, step)));
         let inside = all.filter(|(value, ..)| (self.low..=self.high).contains(&value.log10()));

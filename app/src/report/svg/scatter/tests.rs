@@ -16,6 +16,7 @@ fn scatter(places: &[(f64, f64)]) -> Scatter {
         y_label: "error".to_owned(),
         spots: places.iter().enumerate().map(spot).collect(),
         front: (0..places.len()).collect(),
+        is_straight: false,
     };
     let kinds = vec![Kind { name: "kind".to_owned(), colour: 1, shape: Shape::Circle }];
     let panels = vec![panel(), panel(), panel()];

@@ -1,0 +1,89 @@
+//! A plan as a report.
+
+use std::path::Path;
+
+use anyhow::{Context, Result};
+use nbrdf_core::plan::{Choice, Options, Plan, Planner, Totals};
+use serde_json::{Value, json};
+
+use super::Opened;
+use crate::catalog::NBRDF;
+use crate::report;
+use crate::report::table::Table;
+
+/// The report of a plan that took so many seconds.
+pub fn json(opened: &Opened, planner: &Planner, plan: &Plan, options: Options, seconds: f64) -> Result<Value> {
+    let nbrdf = opened.ladder.iter().position(|rung| rung.name == NBRDF).context("no rung for networks")?;
+    let full = planner.everywhere(nbrdf)?;
+    let object = |(place, choice): (usize, &Choice)| {
+        let own = &opened.scene.objects[place];
+        let rung = &opened.ladder[choice.rung];
+        json!({
+            "name": own.name, "material": opened.materials[opened.material[place]].name,
+            "pixels": planner.pixels(place), "evaluations": planner.view().demands()[place].evaluations(),
+            "model": rung.name, "error": choice.error, "ns": choice.ns, "bytes": choice.bytes,
+            "shared_bytes": rung.shared.as_ref().map_or(0, |(_, bytes)| *bytes),
+            "unmet": choice.unmet.map(|(rung, error)| json!({"closest": opened.ladder[rung].name, "error": error})),
+        })
+    };
+    let totals = |totals: &Totals| json!({"ns": totals.ns, "bytes": totals.bytes});
+    Ok(json!({
+        "schema": 1, "scene": opened.path.display().to_string(), "tolerance": options.tolerance,
+        "by": if options.by == nbrdf_core::plan::By::Time { "time" } else { "bytes" },
+        "objects": plan.choices.iter().enumerate().map(object).collect::<Vec<_>>(),
+        "evaluations": plan.totals.evaluations, "planned": totals(&plan.totals), "nbrdf_everywhere": totals(&full),
+        "times_faster": full.ns / plan.totals.ns, "times_smaller": full.bytes as f64 / plan.totals.bytes as f64,
+        "models_tried": plan.tried, "seconds": seconds,
+    }))
+}
+
+/// The same for people.
+pub fn text(summary: &Value, picture: &Path) -> String {
+    let head = ["object", "material", "pixels", "model", "FLIP", "ns", "bytes", "shared kB", "of NBRDF's time"];
+    let mut table = Table::new(head.map(str::to_owned).to_vec());
+    let number = |value: &Value| value.as_f64().unwrap_or(f64::NAN);
+    let word = |value: &Value| value.as_str().unwrap_or_default().to_owned();
+    let everywhere = number(&summary["nbrdf_everywhere"]["ns"]) / number(&summary["evaluations"]);
+    let mut unmet = String::new();
+    for object in summary["objects"].as_array().into_iter().flatten() {
+        table.push(vec![
+            word(&object["name"]),
+            word(&object["material"]),
+            object["pixels"].to_string(),
+            word(&object["model"]),
+            report::figure(number(&object["error"])),
+            report::figure(number(&object["ns"])),
+            object["bytes"].to_string(),
+            format!("{:.0}", number(&object["shared_bytes"]) / 1e3),
+            format!("{:.0} %", 100.0 * number(&object["ns"]) / everywhere),
+        ]);
+        if let Some(closest) = object["unmet"].as_object() {
+            unmet += &format!(
+                "{}: nothing cheaper is within the tolerance (closest: {} at {}); kept as it is\n",
+                word(&object["name"]),
+                word(&closest["closest"]),
+                report::figure(number(&closest["error"]))
+            );
+        }
+    }
+    let total = |which: &str| {
+        let total = &summary[which];
+        format!("{:.1} ms, {} bytes", 1e-6 * number(&total["ns"]), total["bytes"])
+    };
+    format!(
+        "{}: FLIP of {} at most, {} evaluations, one thread\n\n{table}\n{unmet}\
+         planned: {}; pruned NBRDF everywhere: {}: {:.2} times faster, {:.2} times smaller\n\
+         {} models tried in {:.1} s; full, planned and difference in {}\n{}",
+        word(&summary["scene"]),
+        summary["tolerance"],
+        summary["evaluations"],
+        total("planned"),
+        total("nbrdf_everywhere"),
+        number(&summary["times_faster"]),
+        number(&summary["times_smaller"]),
+        summary["models_tried"],
+        number(&summary["seconds"]),
+        picture.display(),
+        super::check::text(&summary["check"]),
+    )
+}
