@@ -55,6 +55,7 @@ fn codes_have_the_promised_length_name_and_checkpoint_and_are_the_same_each_time
             (representation.name(), representation.checkpoint())
         );
         assert!(code.code.iter().all(|v| v.is_finite()), "{name}");
+        assert!((1..=representation.code_bytes()).contains(&representation.bytes_of(&code)), "{name}");
         assert_eq!(representation.encode(&material("chrome")).unwrap(), code, "{name}");
     }
 }

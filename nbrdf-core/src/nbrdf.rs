@@ -5,6 +5,7 @@
 //! Differs from the paper: the result is clamped at 0 on evaluation, y is capped so that `exp` stays finite.
 
 pub mod anisotropic;
+mod compact;
 pub mod corridor;
 pub mod file;
 pub mod fit;

@@ -39,7 +39,7 @@ pub trait Representation: Send + Sync {
     /// Hash of what was learned (basis, network); codes carry it, so that they are never read with another one.
     fn checkpoint(&self) -> &str;
 
-    /// Bytes that are kept of every material: a code of single precision, unless a representation says otherwise.
+    /// Bytes that are kept of a material at most: a code of single precision, unless a representation says otherwise.
     fn code_bytes(&self) -> usize {
         size_of::<f32>() * self.dim()
     }
@@ -47,6 +47,11 @@ pub trait Representation: Send + Sync {
     /// Bits of stored weights, where codes are the weights of networks.
     fn precision(&self) -> Precision {
         Precision::Single
+    }
+
+    /// Bytes that are kept of this material: the same of all, unless a representation says otherwise.
+    fn bytes_of(&self, _code: &Code) -> usize {
+        self.code_bytes()
     }
 
     /// Bytes that decoding reads beside the code, the same for all materials: basis, decoder.
@@ -128,6 +133,10 @@ impl<R: Representation + ?Sized> Representation for std::sync::Arc<R> {
 
     fn precision(&self) -> Precision {
         (**self).precision()
+    }
+
+    fn bytes_of(&self, code: &Code) -> usize {
+        (**self).bytes_of(code)
     }
 
     fn shared_bytes(&self) -> usize {

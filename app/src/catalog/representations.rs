@@ -132,13 +132,20 @@ pub const REPRESENTATIONS: &[RepresentationEntry] = &[
         Family::Network,
         Variant::Fitted,
         "NBRDF: a 6-21-21-3 network of its own, fitted from the shared start",
-        |_| Ok(own_network("nbrdf", Precision::Single)),
+        |_| Ok(own_network(Network::new("nbrdf", PUBLISHED_HIDDEN, Precision::Single))),
+    ),
+    entry(
+        "nbrdf_pruned",
+        Family::Network,
+        Variant::Fitted,
+        "NBRDF without the units that can never fire: the same values",
+        |_| Ok(own_network(Network::new("nbrdf_pruned", PUBLISHED_HIDDEN, Precision::Single).pruned())),
     ),
     entry("nbrdf_half", Family::Network, Variant::Fitted, "NBRDF, weights in half precision", |_| {
-        Ok(own_network("nbrdf_half", Precision::Half))
+        Ok(own_network(Network::new("nbrdf_half", PUBLISHED_HIDDEN, Precision::Half)))
     }),
     entry("nbrdf_byte", Family::Network, Variant::Fitted, "NBRDF, weights in bytes with a scale for each unit", |_| {
-        Ok(own_network("nbrdf_byte", Precision::Byte))
+        Ok(own_network(Network::new("nbrdf_byte", PUBLISHED_HIDDEN, Precision::Byte)))
     }),
     entry("nbrdf_6", Family::Network, Variant::Fitted, "a 6-6-6-3 network of its own", |_| {
         Ok(Arc::new(Network::new("nbrdf_6", [6, 6], Precision::Single)))
@@ -219,8 +226,7 @@ const fn formula<P: Parametric>(about: &'static str) -> RepresentationEntry {
     entry(P::NAME, Family::Formula, Variant::Fitted, about, |_| Ok(Arc::new(Analytic::<P>::new())))
 }
 
-/// Networks of the published widths, fitted from the shared start.
-fn own_network(name: &'static str, precision: Precision) -> Shared {
-    let inner = Network::new(name, PUBLISHED_HIDDEN, precision);
+/// A network of the published widths, fitted from the shared start.
+fn own_network(inner: Network) -> Shared {
     Arc::new(WithNetwork { inner, source: shared_start_network })
 }

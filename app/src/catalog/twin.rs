@@ -69,6 +69,10 @@ impl<R: Representation> Representation for WithNetwork<R> {
         self.inner.precision()
     }
 
+    fn bytes_of(&self, code: &Code) -> usize {
+        self.inner.bytes_of(code)
+    }
+
     fn shared_bytes(&self) -> usize {
         self.inner.shared_bytes()
     }

@@ -114,6 +114,7 @@ impl Evaluate {
             let material = |m: &Encoded| {
                 let mut object = json!(m.figures);
                 object["name"] = m.name.as_str().into();
+                object["bytes"] = m.bytes.into();
                 if let Some(code) = &m.code {
                     object["code"] = json!(code);
                 }

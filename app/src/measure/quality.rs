@@ -21,6 +21,8 @@ pub struct Encoded {
     pub name: String,
     /// Its code, unless that is long.
     pub code: Option<Vec<f32>>,
+    /// Bytes that are kept of it.
+    pub bytes: usize,
     /// Every metric, `encode_s`, `expected_log_error`, and `distance` where codes have one.
     pub figures: BTreeMap<String, f64>,
 }
@@ -31,7 +33,7 @@ pub struct Quality {
     pub dim: usize,
     /// The mark that codes carry.
     pub checkpoint: String,
-    /// Bytes of one material.
+    /// Bytes of one material: the median.
     pub bytes: usize,
     /// Bytes that all share.
     pub shared_bytes: usize,
@@ -84,15 +86,18 @@ impl<'a> Bench<'a> {
             let trust = Trust::of(material, code, decoded.as_ref(), known)?;
             figures.insert("expected_log_error".to_owned(), trust.expected_log_error);
             figures.extend(trust.distance.map(|distance| ("distance".to_owned(), distance)));
+            let bytes = representation.bytes_of(code);
             let code = (code.code.len() <= LONGEST_KEPT).then(|| code.code.clone());
-            Ok(Encoded { name: material.name.clone(), code, figures })
+            Ok(Encoded { name: material.name.clone(), code, bytes, figures })
         };
         let materials = self.materials.par_iter().zip(&self.targets).zip(&codes);
-        let materials = materials.map(one).collect::<Result<Vec<_>>>()?;
+        let materials = materials.map(one).collect::<Result<Vec<Encoded>>>()?;
+        let mut bytes: Vec<usize> = materials.iter().map(|material| material.bytes).collect();
+        bytes.sort_unstable();
         Ok(Quality {
             dim: representation.dim(),
             checkpoint: representation.checkpoint().to_owned(),
-            bytes: representation.code_bytes(),
+            bytes: bytes.get(bytes.len() / 2).copied().unwrap_or_default(),
             shared_bytes: representation.shared_bytes(),
             cost: self.cost(representation, &codes)?,
             materials,

@@ -46,8 +46,12 @@ impl Nbrdf {
         self.packed.live()
     }
 
-    /// What of this network can ever matter for isotropic materials, whose h.y is 0.
+    /// What of this network can ever matter for isotropic materials, whose h.y is 0; known of a [`pruned`](Self::pruned)
+    /// one, else proved.
     pub fn live(&self) -> Live {
+        if !self.evaluated().is_all(self.hidden) {
+            return self.evaluated().clone();
+        }
         let dead = prove(self, self.silent());
         let units = [0, 1].map(|layer| (0..self.hidden[layer]).filter(|unit| !dead[layer].contains(unit)).collect());
         Live { half_y: false, units }

@@ -132,6 +132,10 @@ impl<R: Representation + ?Sized> Representation for Refined<R> {
         self.inner.code_bytes()
     }
 
+    fn bytes_of(&self, code: &Code) -> usize {
+        self.inner.bytes_of(code)
+    }
+
     fn shared_bytes(&self) -> usize {
         self.inner.shared_bytes()
     }
