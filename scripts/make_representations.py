@@ -54,6 +54,18 @@ a GGX lobe with free Fresnel term over a diffuse base, and the base alone, fitte
 {table(["paint", "samples", "network, mean", "median", "90 %", "GGX, mean", "median", "90 %", "Lambert, mean", "median", "90 %"], paints)}"""
 
 
+def stability(report: dict) -> str:
+    """Whether every run found the same models; nothing where there was one."""
+    fronts = report["fronts"]
+    if len(fronts) < 2:
+        return ""
+    if report["stable"]:
+        return f"Each of {len(fronts)} runs finds the same ones, near ties decided by the medians over runs."
+    counts = {name: sum(name in found for found in fronts) for found in fronts for name in found}
+    changing = ", ".join(f"`{name}` ({count})" for name, count in counts.items() if count < len(fronts))
+    return f"Times are medians over {len(fronts)} runs, not each of which finds the same models: found in some are {changing}."
+
+
 def front(folder: Path) -> str:
     """What the chart shows: the models that no other one beats."""
     report = json.loads((folder / "chart.json").read_text())
@@ -65,7 +77,7 @@ def front(folder: Path) -> str:
     ]
     return f"""![{len(body)} of {len(points)} models are worth their time](images/chart.svg)
 
-Nothing else is both faster (by more than a tenth) and closer than these (`nbrdf chart`, {report['materials']} held-out materials). Everything that decodes
+Nothing else is both faster (by more than a tenth) and closer than these (`nbrdf chart --runs {report['runs']}`, {report['materials']} held-out materials). {stability(report)} Everything that decodes
 to a network of 675 weights takes the same time; between them, bytes decide. Codes of 4, 8 and 16 numbers are of the checkpoints below.
 
 {table(["model", "ns", "bytes", "FLIP under studio, mean", "90 %"], body)}"""
@@ -129,7 +141,8 @@ Written by `scripts/make_representations.py`; these commands make every figure o
 Errors are mean (worst) over held-out materials against the {report['reference']} networks, which stand for the measured tables;
 definitions as in [results.md](results.md). Representations that learn have seen the 80 training materials of MERL; fits see
 the material itself. `nbrdf` is the built-in library's network, fitted to the reference network for 30 000 steps from the shared start, so that
-its rows tell what such a fit loses, and fewer bits on top; `nbrdf_10` and `nbrdf_32` are fitted for 8 000 steps from random
+its rows tell what such a fit loses, and fewer bits on top; `nbrdf_pruned` is the same network without the units that can never
+fire, which differ from material to material: its bytes are the median. `nbrdf_10` and `nbrdf_32` are fitted for 8 000 steps from random
 weights. Times to encode are of finding the former in the library, and of fitting the latter. What is learned can be saved, of
 other sizes and from other materials too: `nbrdf learn NAME -o FILE`, and `--checkpoint FILE` where codes are made or read.
 On this page they are learned from the reference (`--library merl_nbrdf.zip`), on the command line from the built-in library.

@@ -13,6 +13,7 @@ pub mod reconstruction;
 pub mod sampling;
 pub mod speed;
 mod target;
+pub mod times;
 mod trust;
 
 pub use pairs::standard_pairs;

@@ -21,6 +21,7 @@ fn a_saved_report_is_drawn_again_without_measuring() {
     let again = place.run(&["chart", "--from", "saved.json", "-o", "a.svg", "--json"]).json();
     assert_eq!(again["front"], json!(["cheap", "close & dear"]));
     assert_eq!(again["points"], report["points"]);
+    assert_eq!((&again["runs"], &again["fronts"]), (&json!(1), &json!([again["front"]])), "a report of one run");
     let svg = String::from_utf8(place.file("a.svg")).unwrap();
     assert!(svg.contains("2 of 3 models are worth their time: cheap and close &amp; dear"));
     place.run(&["chart", "--from", "saved.json", "-o", "a.png"]).ok();
@@ -29,6 +30,43 @@ fn a_saved_report_is_drawn_again_without_measuring() {
     assert!(light.starts_with(b"\x89PNG\r\n\x1a\n") && light != dark);
     assert_eq!(light[16..24], dark[16..24], "width and height");
     assert_eq!(light[16..20], 1840u32.to_be_bytes());
+}
+
+/// The same, with what every run took.
+fn point_of_runs(name: &str, ns: &[f64], error: f64) -> Value {
+    let mut sorted = ns.to_vec();
+    sorted.sort_by(f64::total_cmp);
+    let mut point = point(name, sorted[ns.len() / 2], error);
+    let run = |&ns: &f64| json!({"ns": ns, "ratio_to_reference_loop": 400.0 / ns, "encode_s": 0.1});
+    point["by_run"] = ns.iter().map(run).collect();
+    point
+}
+
+#[test]
+fn runs_of_a_saved_report_are_compared_and_near_ties_are_left_to_the_medians() {
+    let place = Place::new();
+    let of = |points: &[Value]| {
+        let report = json!(
+            {"schema": 1, "reference": "published", "materials": 20, "quick": false, "runs": 3, "points": points});
+        place.write("saved.json", report.to_string().as_bytes());
+        let text = place.run(&["chart", "--from", "saved.json", "-o", "a.svg"]).text();
+        (place.run(&["chart", "--from", "saved.json", "-o", "a.svg", "--json"]).json(), text)
+    };
+    let steady = [
+        point_of_runs("cheap", &[1.0, 2.0, 1.1], 0.1),
+        point_of_runs("near", &[9.0, 9.3, 8.9], 0.05),
+        point_of_runs("close", &[10.0, 9.9, 10.1], 0.01),
+    ];
+    let (report, text) = of(&steady);
+    assert_eq!((&report["runs"], &report["stable"]), (&json!(3), &json!(true)));
+    assert_eq!(report["fronts"], json!(vec![["cheap", "near", "close"]; 3]));
+    assert!(text.contains("3 runs: the same front in each"), "{text}");
+    assert!(String::from_utf8(place.file("a.svg")).unwrap().contains("20 held-out MERL materials, 3 runs"));
+    let disturbed = point_of_runs("near", &[9.0, 15.0, 9.0], 0.05);
+    let (report, text) = of(&[steady[0].clone(), disturbed, steady[2].clone()]);
+    assert_eq!((&report["front"], &report["stable"]), (&json!(["cheap", "near", "close"]), &json!(false)));
+    assert_eq!(report["fronts"][1], json!(["cheap", "close"]));
+    assert!(text.contains("3 runs: not on the front of each: near (2 of 3)"), "{text}");
 }
 
 #[test]
@@ -46,22 +84,33 @@ fn what_is_no_report_exits_with_3_and_draws_nothing() {
         place.write(name, report.to_string().as_bytes());
         assert!(place.run(&["chart", "--from", name, "-o", "x.svg"]).fails(3).contains("that nobody measures"));
     }
+    for (runs, points) in [(2, json!([one])), (2, json!([point_of_runs("three", &[1.0; 3], 0.1)])), (99, json!([one]))]
+    {
+        let report =
+            json!({"schema": 1, "reference": "r", "materials": 1, "quick": true, "runs": runs, "points": points});
+        place.write("runs.json", report.to_string().as_bytes());
+        place.run(&["chart", "--from", "runs.json", "-o", "x.svg"]).fails(3);
+    }
     place.write("f.json", of(1).to_string().as_bytes());
     let said = place.run(&["chart", "--from", "f.json", "--metric", "point_flip", "-o", "x.svg"]).fails(3);
     assert!(said.contains("expected points with point_flip"), "{said}");
     place.run(&["chart", "--from", "missing.json", "-o", "x.svg"]).fails(3);
     place.run(&["chart", "--from", "a.json", "-o", "x.jpg"]).fails(2);
     place.run(&["chart", "--metric", "studio_psnr"]).fails(2);
+    place.run(&["chart", "--runs", "0"]).fails(2);
+    place.run(&["chart", "--runs", "26"]).fails(2);
+    place.run(&["chart", "--from", "f.json", "--runs", "2"]).fails(2);
     assert!(!place.names().contains(&"x.svg".to_owned()));
 }
 
 #[test]
 fn a_quick_look_measures_every_model_and_its_front_is_not_beaten() {
     let place = Place::new();
-    let report = place.run(&["chart", "--quick", "-o", "chart.svg", "--json"]).json();
+    let report = place.run(&["chart", "--quick", "--runs", "2", "-o", "chart.svg", "--json"]).json();
     let points = report["points"].as_array().unwrap();
     let named = |name: &str| points.iter().find(|point| point["name"] == name).unwrap();
     for name in ["nbrdf", "znbrdf_32", "pca_45", "table", "charting_15", "linear_combination", "sgd", "lambert_ggx"] {
+        assert_eq!(named(name)["by_run"].as_array().map(Vec::len), Some(2), "{name}");
         assert!(named(name)["ns"].as_f64().unwrap() > 0.0 && named(name)["bytes"].as_u64().unwrap() > 0, "{name}");
     }
     let front = report["front"].as_array().unwrap();

@@ -1,7 +1,9 @@
 //! `nbrdf chart`: every way to store a material, what it costs against how close it comes.
 
 mod draw;
+mod models;
 mod saved;
+mod stability;
 
 use std::path::PathBuf;
 
@@ -12,12 +14,13 @@ use nbrdf_core::cost::REPEATS;
 use nbrdf_core::{Database, Material, Split, atomic};
 
 use super::Global;
-use crate::catalog::{Catalog, REPRESENTATIONS, RepresentationEntry};
-use crate::measure::point::{METRICS, Point};
+use crate::catalog::Catalog;
+use crate::measure::point::METRICS;
 use crate::measure::quality::Bench;
 use crate::report::png::png;
 use crate::{output, progress, report};
-use saved::Saved;
+use models::Models;
+use saved::{MOST_RUNS, Saved};
 
 /// Materials, repeats of a quick look.
 const QUICK: (usize, usize) = (4, 9);
@@ -34,8 +37,11 @@ pub struct Chart {
     /// Fewer materials and fewer repeats: within a minute.
     #[arg(long)]
     quick: bool,
+    /// Times are medians over this many runs, and the report tells whether each has the same front.
+    #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u8).range(1..=MOST_RUNS as i64))]
+    runs: u8,
     /// Draw a saved report (`--json`) again, without measuring.
-    #[arg(long, value_name = "REPORT", conflicts_with_all = ["quick", "reference", "checkpoint"])]
+    #[arg(long, value_name = "REPORT", conflicts_with_all = ["quick", "runs", "reference", "checkpoint"])]
     from: Option<PathBuf>,
     /// Materials to measure against; the published networks in NBRDF_DATA by default, else the built-in ones.
     #[arg(long, value_name = "LIBRARY")]
@@ -81,25 +87,12 @@ impl Chart {
             .collect::<Result<Vec<_>>>()?;
         others.iter().try_for_each(Catalog::check_used)?;
         let bench = Bench::new(materials, global.seed(), repeats);
-        let codes = REPRESENTATIONS.iter().filter(|entry| entry.name == "znbrdf").count();
-        let total = (REPRESENTATIONS.len() + codes * others.len()) * bench.count();
-        let bar = progress::bar(total as u64, "measuring", global.quiet);
-        let measure = |catalog: &Catalog, entry: &RepresentationEntry| -> Result<Option<Point>> {
-            bar.set_message(entry.name);
-            let representation = entry.build(catalog)?;
-            let quality = bench.measure(representation.as_ref(), &catalog.autoencoder(), &|| bar.inc(1))?;
-            Ok(Point::of(entry, &quality))
-        };
-        let mut points = Vec::new();
-        for entry in REPRESENTATIONS {
-            points.extend(measure(&catalog, entry)?);
-        }
-        for other in &others {
-            for entry in REPRESENTATIONS.iter().filter(|entry| entry.name == "znbrdf") {
-                points.extend(measure(other, entry)?);
-            }
-        }
+        let models = Models::new(&catalog, &others)?;
+        let runs = usize::from(self.runs);
+        let bar = progress::bar((runs * models.count() * bench.count()) as u64, "measuring", global.quiet);
+        let points = models.measure(&bench, runs, &bar)?;
         bar.finish_and_clear();
-        Ok(Saved::new(catalog.reference().kind.clone(), bench.count(), self.quick, points))
+        let (reference, materials) = (catalog.reference().kind.clone(), bench.count());
+        Ok(Saved { schema: 1, reference, materials, quick: self.quick, runs, points })
     }
 }

@@ -13,7 +13,7 @@ use super::Global;
 use crate::catalog::{Catalog, REPRESENTATIONS, RepresentationEntry};
 use crate::measure::calibration::{Calibration, Judged};
 use crate::measure::higher_is_better;
-use crate::measure::quality::{Bench, Encoded, Quality};
+use crate::measure::quality::{Bench, Candidate, Encoded, Quality};
 use crate::report::table::Table;
 use crate::{progress, report};
 
@@ -76,12 +76,15 @@ impl Evaluate {
         let total: usize = sets.iter().map(|(_, materials)| materials.len()).sum();
         let bar = progress::bar((total * entries.len()) as u64, "evaluating", global.quiet);
         let mut rows = Vec::new();
-        let known = catalog.autoencoder();
+        let candidate = |entry: &&RepresentationEntry| -> Result<Candidate> {
+            Ok(Candidate { representation: entry.build(&catalog)?, known: catalog.autoencoder() })
+        };
+        let candidates = entries.iter().map(candidate).collect::<Result<Vec<_>>>()?;
         let mut judged: Vec<Vec<Judged>> = entries.iter().map(|_| Vec::new()).collect();
         for (database, materials) in &sets {
             let bench = Bench::new(materials.clone(), global.seed(), REPEATS);
-            for (entry, judged) in entries.iter().zip(&mut judged) {
-                let quality = bench.measure(entry.build(&catalog)?.as_ref(), &known, &|| bar.inc(1))?;
+            let qualities = bench.measure(&candidates, &|| bar.inc(1))?;
+            for ((entry, quality), judged) in entries.iter().zip(qualities).zip(&mut judged) {
                 judged.extend(quality.materials.iter().map(judge));
                 rows.push(self.row(entry, *database, &quality));
             }
@@ -99,11 +102,11 @@ impl Evaluate {
     }
 
     fn row(&self, entry: &RepresentationEntry, database: Database, quality: &Quality) -> Value {
-        let Quality { dim, checkpoint, bytes, shared_bytes, cost, materials } = quality;
+        let Quality { dim, checkpoint, bytes, shared_bytes, times, materials } = quality;
         let mut row = json!({
             "name": entry.name, "variant": entry.variant.name(), "database": database, "count": materials.len(),
             "dim": dim, "checkpoint": checkpoint, "bytes": bytes, "shared_bytes": shared_bytes,
-            "ns": cost.map(|cost| cost.ns), "ratio_to_reference_loop": cost.map(|cost| cost.ratio_to_reference_loop),
+            "ns": times.map(|times| times.ns), "ratio_to_reference_loop": times.map(|times| times.ratio_to_reference_loop),
         });
         let keys: Vec<&String> = materials.first().map(|first| first.figures.keys().collect()).unwrap_or_default();
         for key in keys {

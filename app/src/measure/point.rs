@@ -6,6 +6,7 @@ use nbrdf_core::metric::Spread;
 use serde::{Deserialize, Serialize};
 
 use super::quality::Quality;
+use super::times::Times;
 use crate::catalog::{Family, RepresentationEntry};
 
 /// How an error is spread over materials.
@@ -40,52 +41,51 @@ pub struct Point {
     pub variant: String,
     /// What it keeps.
     pub family: Family,
-    /// Nanoseconds per evaluation, one thread.
-    pub ns: f64,
-    /// How many times the plain loop over the weights takes as long.
-    pub ratio_to_reference_loop: f64,
+    /// What it took: the median over runs.
+    #[serde(flatten)]
+    pub times: Times,
     /// Bytes of one material.
     pub bytes: usize,
     /// Bytes that all materials share.
     pub shared_bytes: usize,
-    /// Seconds to encode one, the median.
-    pub encode_s: f64,
     /// By key of the metric.
     pub error: BTreeMap<String, Band>,
+    /// What it took in each run; nothing of a single run.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub by_run: Vec<Times>,
 }
 
 impl Point {
-    /// Of what was measured of a line in the catalog; none where nothing was.
-    pub fn of(entry: &RepresentationEntry, quality: &Quality) -> Option<Self> {
-        let cost = quality.cost?;
+    /// Of what was measured of a line in the catalog in these runs; none of no run.
+    pub fn of(entry: &RepresentationEntry, quality: &Quality, runs: Vec<Times>) -> Option<Self> {
         let values =
             |key: &str| quality.materials.iter().filter_map(|own| own.figures.get(key).copied()).collect::<Vec<_>>();
         let band = |key: &str| Some((key.to_owned(), Band::of(&values(key))?));
-        let encode = Spread::new(values("encode_s").into_iter().map(|v| ("", v)), false)?;
         Some(Self {
             name: if entry.name == "znbrdf" { format!("znbrdf_{}", quality.dim) } else { entry.name.to_owned() },
             variant: entry.variant.name().to_owned(),
             family: entry.family,
-            ns: cost.ns,
-            ratio_to_reference_loop: cost.ratio_to_reference_loop,
+            times: Times::median(&runs)?,
             bytes: quality.bytes,
             shared_bytes: quality.shared_bytes,
-            encode_s: encode.median,
             error: METRICS.iter().filter_map(|key| band(key)).collect(),
+            by_run: if runs.len() > 1 { runs } else { Vec::new() },
         })
+    }
+
+    /// What it took in a run.
+    pub fn run(&self, run: usize) -> Times {
+        self.by_run.get(run).copied().unwrap_or(self.times)
     }
 
     /// Whether it could have been measured: printable words, finite numbers, none below 0, times above.
     pub fn is_sound(&self) -> bool {
         let is_word = |text: &str| (1..=64).contains(&text.len()) && !text.chars().any(char::is_control);
-        let is_time = |value: f64| value.is_finite() && value > 0.0;
         let is_error =
             |band: &Band| [band.mean, band.p10, band.p90, band.max].iter().all(|v| v.is_finite() && *v >= 0.0);
         is_word(&self.name)
             && is_word(&self.variant)
-            && is_time(self.ns)
-            && is_time(self.ratio_to_reference_loop)
-            && is_time(self.encode_s)
+            && self.by_run.iter().chain([&self.times]).all(Times::is_sound)
             && self.error.values().all(is_error)
     }
 

@@ -1,6 +1,7 @@
 //! The picture of a report, and its table.
 
 use super::saved::Saved;
+use super::stability::Stability;
 use crate::catalog::Family;
 use crate::measure::front::{EXACT, TIE};
 use crate::measure::point::Point;
@@ -16,9 +17,10 @@ pub fn scatter(saved: &Saved, metric: &str, is_dark: bool) -> Scatter {
     let front = saved.front(metric);
     let names: Vec<String> = front.iter().map(|&i| saved.points[i].title()).collect();
     let title = format!("{} of {} models are worth their time: {}", names.len(), saved.points.len(), listed(&names));
-    let of = if saved.quick { ", a quick look" } else { "" };
+    let quick = if saved.quick { ", a quick look" } else { "" };
+    let runs = if saved.runs > 1 { format!(", {} runs", saved.runs) } else { String::new() };
     let subtitle = format!(
-        "{} held-out MERL materials{of}, reference: {}; a mark is as large as its material has bytes, a bar holds eight of ten materials",
+        "{} held-out MERL materials{quick}{runs}, reference: {}; mark size: bytes, bars: eight of ten materials",
         saved.materials, saved.reference
     );
     let error = format!("{}, mean", label(metric));
@@ -43,13 +45,13 @@ pub fn scatter(saved: &Saved, metric: &str, is_dark: bool) -> Scatter {
         subtitle,
         kinds: Family::ALL.into_iter().enumerate().map(kind).collect(),
         panels: vec![
-            panel("Evaluation", "ns per evaluation, one thread", TIE, &|point| point.ns),
+            panel("Evaluation", "ns per evaluation, one thread", TIE, &|point| point.times.ns),
             panel("Storage", "bytes per material, what is shared not counted", EXACT, &|point| point.bytes as f64),
             panel(
-                "Encoding (nbrdf, _half, _byte: looked up, not fitted)",
+                "Encoding (nbrdf, _pruned, _half, _byte: looked up)",
                 "seconds per material, median",
                 TIE,
-                &|point| point.encode_s,
+                &|point| point.times.encode_s,
             ),
         ],
         is_dark,
@@ -71,11 +73,11 @@ fn spot(point: &Point, metric: &str, cost: f64, [low, high]: [f64; 2]) -> Spot {
         point.title(),
         label(metric),
         report::figure(mean),
-        point.ns,
-        point.ratio_to_reference_loop,
+        point.times.ns,
+        point.times.ratio_to_reference_loop,
         point.bytes,
         point.shared_bytes,
-        report::figure(point.encode_s)
+        report::figure(point.times.encode_s)
     );
     Spot {
         x: cost,
@@ -126,7 +128,7 @@ pub fn text(saved: &Saved, metric: &str) -> String {
     let mut table = Table::new(head.map(str::to_owned).to_vec());
     let front = saved.front(metric);
     let mut order: Vec<usize> = (0..saved.points.len()).collect();
-    order.sort_by(|&a, &b| saved.points[a].ns.total_cmp(&saved.points[b].ns));
+    order.sort_by(|&a, &b| saved.points[a].times.ns.total_cmp(&saved.points[b].times.ns));
     for i in order {
         let point = &saved.points[i];
         let band = point.error.get(metric);
@@ -137,15 +139,19 @@ pub fn text(saved: &Saved, metric: &str) -> String {
             figure(band.map(|band| band.mean)),
             figure(band.map(|band| band.p10)),
             figure(band.map(|band| band.p90)),
-            report::figure(point.ns),
-            report::figure(point.ratio_to_reference_loop),
+            report::figure(point.times.ns),
+            report::figure(point.times.ratio_to_reference_loop),
             point.bytes.to_string(),
             format!("{:.1}", point.shared_bytes as f64 / 1e6),
-            report::figure(point.encode_s),
+            report::figure(point.times.encode_s),
         ]);
     }
-    format!(
-        "{} held-out MERL materials, reference: {}; * nothing else is closer and no more than a tenth slower\n\n{table}",
+    let mut text = format!(
+        "{} held-out MERL materials, reference: {}; * nothing else is closer and no more than a tenth slower\n",
         saved.materials, saved.reference
-    )
+    );
+    if saved.runs > 1 {
+        text += &format!("Times are medians. {}\n", Stability::of(saved, metric));
+    }
+    format!("{text}\n{table}")
 }

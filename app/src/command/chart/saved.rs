@@ -6,12 +6,16 @@ use anyhow::Result;
 use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};
 
+use super::stability::Stability;
 use crate::failure::Failure;
-use crate::measure::front::{TIE, front};
+use crate::measure::front::{TIE, front, front_of_run};
 use crate::measure::point::Point;
 
 /// Largest report that is read \[bytes\].
 const MAX_BYTES: u64 = 16 << 20;
+
+/// Most runs.
+pub const MOST_RUNS: usize = 25;
 
 /// Most points that are drawn.
 const MOST_POINTS: usize = 1000;
@@ -19,23 +23,22 @@ const MOST_POINTS: usize = 1000;
 /// Everything a chart is drawn from.
 #[derive(Deserialize, Serialize)]
 pub struct Saved {
-    schema: u32,
+    /// Of the report: 1.
+    pub schema: u32,
     /// Where the reference materials come from.
     pub reference: String,
     /// How many there were.
     pub materials: usize,
     /// Whether it was a quick look.
     pub quick: bool,
+    /// How many runs the times are medians of.
+    #[serde(default = "one")]
+    pub runs: usize,
     /// The models.
     pub points: Vec<Point>,
 }
 
 impl Saved {
-    /// Of what was measured.
-    pub const fn new(reference: String, materials: usize, quick: bool, points: Vec<Point>) -> Self {
-        Self { schema: 1, reference, materials, quick, points }
-    }
-
     /// Reads a report.
     pub fn load(path: &Path) -> Result<Self> {
         let invalid = |found: &dyn std::fmt::Display| {
@@ -53,7 +56,12 @@ impl Saved {
         if saved.points.is_empty() || saved.points.len() > MOST_POINTS {
             return Err(invalid(&format_args!("{} points, of 1 to {MOST_POINTS}", saved.points.len())).into());
         }
-        match saved.points.iter().find(|point| !point.is_sound()) {
+        if !(1..=MOST_RUNS).contains(&saved.runs) {
+            return Err(invalid(&format_args!("{} runs, of 1 to {MOST_RUNS}", saved.runs)).into());
+        }
+        let is_of_all_runs = |own: usize| own == saved.runs || (own == 0 && saved.runs == 1);
+        let is_sound = |point: &Point| point.is_sound() && is_of_all_runs(point.by_run.len());
+        match saved.points.iter().find(|point| !is_sound(point)) {
             Some(point) => Err(invalid(&format_args!("a point {:?} that nobody measures", point.name)).into()),
             None => Ok(saved),
         }
@@ -70,20 +78,38 @@ impl Saved {
 
     /// Places of the models that are worth their time by this error.
     pub fn front(&self, metric: &str) -> Vec<usize> {
-        self.front_of(metric, TIE, |point| point.ns)
+        self.front_of(metric, TIE, |point| point.times.ns)
     }
 
     /// The same for another cost; costs within a factor `tie` are the same.
     pub fn front_of(&self, metric: &str, tie: f64, cost: impl Fn(&Point) -> f64) -> Vec<usize> {
-        let error = |point: &Point| point.error.get(metric).map_or(f64::NAN, |band| band.mean);
-        front(&self.points.iter().map(|point| (cost(point), error(point))).collect::<Vec<_>>(), tie)
+        front(&self.models(metric, cost), tie)
     }
 
-    /// The report, with the front by name.
+    /// The front of evaluation in one run, near ties decided by the medians.
+    pub fn front_of_run(&self, metric: &str, run: usize) -> Vec<usize> {
+        let ns: Vec<f64> = self.points.iter().map(|point| point.run(run).ns).collect();
+        front_of_run(&ns, &self.models(metric, |point| point.times.ns), TIE)
+    }
+
+    /// Costs and errors.
+    fn models(&self, metric: &str, cost: impl Fn(&Point) -> f64) -> Vec<(f64, f64)> {
+        let error = |point: &Point| point.error.get(metric).map_or(f64::NAN, |band| band.mean);
+        self.points.iter().map(|point| (cost(point), error(point))).collect()
+    }
+
+    /// The report, with the front by name, and that of every run.
     pub fn json(&self, metric: &str) -> Value {
         let mut value = json!(self);
+        let stability = Stability::of(self, metric);
         value["metric"] = metric.into();
         value["front"] = self.front(metric).into_iter().map(|i| self.points[i].title()).collect();
+        value["fronts"] = json!(stability.fronts);
+        value["stable"] = stability.is_stable().into();
         value
     }
+}
+
+const fn one() -> usize {
+    1
 }
