@@ -54,6 +54,12 @@ a GGX lobe with free Fresnel term over a diffuse base, and the base alone, fitte
 {table(["paint", "samples", "network, mean", "median", "90 %", "GGX, mean", "median", "90 %", "Lambert, mean", "median", "90 %"], paints)}"""
 
 
+def title(point: dict) -> str:
+    """As the chart calls it."""
+    file = f" ({point['file']})" if "file" in point else ""
+    return point["name"] + {"refined": " refined", "feed_forward": " feed-forward"}.get(point["variant"], "") + file
+
+
 def stability(report: dict) -> str:
     """Whether every run found the same models; nothing where there was one."""
     fronts = report["fronts"]
@@ -69,7 +75,7 @@ def stability(report: dict) -> str:
 def front(folder: Path) -> str:
     """What the chart shows: the models that no other one beats."""
     report = json.loads((folder / "chart.json").read_text())
-    points = {point["name"] + {"refined": " refined", "feed_forward": " feed-forward"}.get(point["variant"], ""): point for point in report["points"]}
+    points = {title(point): point for point in report["points"]}
     metric = report["metric"]
     body = [
         [f"`{name}`", number(points[name]["ns"], 1), str(points[name]["bytes"]), number(points[name]["error"][metric]["mean"], 3), number(points[name]["error"][metric]["p90"], 3)]

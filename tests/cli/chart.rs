@@ -104,10 +104,34 @@ fn what_is_no_report_exits_with_3_and_draws_nothing() {
 }
 
 #[test]
+fn points_of_two_checkpoints_are_told_apart_by_their_files() {
+    let place = Place::new();
+    let code = |file: Option<&str>, ns: f64, error: f64| {
+        let mut point = point("znbrdf_32", ns, error);
+        point["variant"] = "refined".into();
+        if let Some(file) = file {
+            point["file"] = file.into();
+        }
+        point
+    };
+    let points = [code(None, 10.0, 0.01), code(Some("early"), 1.0, 0.1)];
+    let report = json!({"schema": 1, "reference": "published", "materials": 20, "quick": false, "points": points});
+    place.write("saved.json", report.to_string().as_bytes());
+    let again = place.run(&["chart", "--from", "saved.json", "-o", "a.svg", "--json"]).json();
+    assert_eq!(again["front"], json!(["znbrdf_32 refined (early)", "znbrdf_32 refined"]));
+    assert_eq!(again["points"], report["points"]);
+}
+
+#[test]
 fn a_quick_look_measures_every_model_and_its_front_is_not_beaten() {
     let place = Place::new();
-    let report = place.run(&["chart", "--quick", "--runs", "2", "-o", "chart.svg", "--json"]).json();
+    let own = concat!(env!("CARGO_MANIFEST_DIR"), "/../autoencoder/assets/znbrdf.safetensors");
+    place.write("again.safetensors", &std::fs::read(own).unwrap());
+    let arguments = ["--runs", "2", "--checkpoint", "again.safetensors", "-o", "chart.svg", "--json"];
+    let report = place.run(&[&["chart", "--quick"][..], &arguments].concat()).json();
     let points = report["points"].as_array().unwrap();
+    let codes = points.iter().filter(|point| point["name"] == "znbrdf_32").map(|point| point.get("file"));
+    assert_eq!(codes.collect::<Vec<_>>(), [[None; 3], [Some(&json!("again")); 3]].concat());
     let named = |name: &str| points.iter().find(|point| point["name"] == name).unwrap();
     for name in ["nbrdf", "znbrdf_32", "pca_45", "table", "charting_15", "linear_combination", "sgd", "lambert_ggx"] {
         assert_eq!(named(name)["by_run"].as_array().map(Vec::len), Some(2), "{name}");

@@ -1,6 +1,7 @@
 //! `nbrdf chart`: every way to store a material, what it costs against how close it comes.
 
 mod draw;
+mod files;
 mod models;
 mod saved;
 mod stability;
@@ -87,7 +88,7 @@ impl Chart {
             .collect::<Result<Vec<_>>>()?;
         others.iter().try_for_each(Catalog::check_used)?;
         let bench = Bench::new(materials, global.seed(), repeats);
-        let models = Models::new(&catalog, &others)?;
+        let models = Models::new(&catalog, others.into_iter().zip(files::names(&self.checkpoint)))?;
         let runs = usize::from(self.runs);
         let bar = progress::bar((runs * models.count() * bench.count()) as u64, "measuring", global.quiet);
         let points = models.measure(&bench, runs, &bar)?;

@@ -39,6 +39,9 @@ pub struct Point {
     pub name: String,
     /// How its codes are made.
     pub variant: String,
+    /// Which file it is of, where another point has its name and variant.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub file: Option<String>,
     /// What it keeps.
     pub family: Family,
     /// What it took: the median over runs.
@@ -64,6 +67,7 @@ impl Point {
         Some(Self {
             name: if entry.name == "znbrdf" { format!("znbrdf_{}", quality.dim) } else { entry.name.to_owned() },
             variant: entry.variant.name().to_owned(),
+            file: None,
             family: entry.family,
             times: Times::median(&runs)?,
             bytes: quality.bytes,
@@ -80,21 +84,26 @@ impl Point {
 
     /// Whether it could have been measured: printable words, finite numbers, none below 0, times above.
     pub fn is_sound(&self) -> bool {
-        let is_word = |text: &str| (1..=64).contains(&text.len()) && !text.chars().any(char::is_control);
+        let is_word = |text: &str| (1..=64).contains(&text.chars().count()) && !text.chars().any(char::is_control);
         let is_error =
             |band: &Band| [band.mean, band.p10, band.p90, band.max].iter().all(|v| v.is_finite() && *v >= 0.0);
         is_word(&self.name)
             && is_word(&self.variant)
+            && self.file.as_deref().is_none_or(is_word)
             && self.by_run.iter().chain([&self.times]).all(Times::is_sound)
             && self.error.values().all(is_error)
     }
 
-    /// Its name, with how its codes are made where that is not the plain way.
+    /// Its name, with how its codes are made where that is not the plain way, and with its file.
     pub fn title(&self) -> String {
-        match self.variant.as_str() {
-            "refined" | "feed_forward" => format!("{} {}", self.name, self.variant.replace('_', "-")),
-            _ => self.name.clone(),
+        let mut title = self.name.clone();
+        if let "refined" | "feed_forward" = self.variant.as_str() {
+            title += &format!(" {}", self.variant.replace('_', "-"));
         }
+        if let Some(file) = &self.file {
+            title += &format!(" ({file})");
+        }
+        title
     }
 }
 

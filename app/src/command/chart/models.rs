@@ -3,27 +3,37 @@
 use anyhow::Result;
 use indicatif::ProgressBar;
 
+use super::files::tell_apart;
 use crate::catalog::{Catalog, REPRESENTATIONS, RepresentationEntry};
 use crate::measure::point::Point;
 use crate::measure::quality::{Bench, Candidate};
 
-/// What is measured, line by line of the catalog.
+/// What is measured.
 pub struct Models {
-    entries: Vec<&'static RepresentationEntry>,
+    /// Lines of the catalog, with the file of those that another checkpoint decodes.
+    entries: Vec<(&'static RepresentationEntry, Option<String>)>,
     candidates: Vec<Candidate>,
 }
 
 impl Models {
-    /// Those of the catalog, and the codes of the other checkpoints; learns what is to be learned.
-    pub fn new(catalog: &Catalog, others: &[Catalog]) -> Result<Self> {
-        let codes = || REPRESENTATIONS.iter().filter(|entry| entry.name == "znbrdf");
-        let others = others.iter().flat_map(|other| codes().map(move |entry| (entry, other)));
-        let all: Vec<_> = REPRESENTATIONS.iter().map(|entry| (entry, catalog)).chain(others).collect();
-        let candidate = |(entry, catalog): &(&RepresentationEntry, &Catalog)| -> Result<Candidate> {
-            Ok(Candidate { representation: entry.build(catalog)?, known: catalog.autoencoder() })
-        };
-        let candidates = all.iter().map(candidate).collect::<Result<_>>()?;
-        Ok(Self { entries: all.into_iter().map(|(entry, _)| entry).collect(), candidates })
+    /// Those of the catalog, and the codes of the other checkpoints, by their names; learns what is to be learned.
+    pub fn new(catalog: &Catalog, others: impl IntoIterator<Item = (Catalog, String)>) -> Result<Self> {
+        let mut models = Self { entries: Vec::new(), candidates: Vec::new() };
+        for entry in REPRESENTATIONS {
+            models.add(entry, catalog, None)?;
+        }
+        for (other, file) in others {
+            for entry in REPRESENTATIONS.iter().filter(|entry| entry.name == "znbrdf") {
+                models.add(entry, &other, Some(file.clone()))?;
+            }
+        }
+        Ok(models)
+    }
+
+    fn add(&mut self, entry: &'static RepresentationEntry, catalog: &Catalog, file: Option<String>) -> Result<()> {
+        self.candidates.push(Candidate { representation: entry.build(catalog)?, known: catalog.autoencoder() });
+        self.entries.push((entry, file));
+        Ok(())
     }
 
     /// How many.
@@ -40,7 +50,11 @@ impl Models {
                 times.extend(own);
             }
         }
-        let all = self.entries.iter().zip(&qualities).zip(times);
-        Ok(all.filter_map(|((entry, quality), times)| Point::of(entry, quality, times)).collect())
+        let mut points = Vec::new();
+        for (((entry, file), quality), times) in self.entries.iter().zip(&qualities).zip(times) {
+            points.extend(Point::of(entry, quality, times).map(|point| Point { file: file.clone(), ..point }));
+        }
+        tell_apart(&mut points);
+        Ok(points)
     }
 }
