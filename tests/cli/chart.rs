@@ -104,6 +104,19 @@ fn what_is_no_report_exits_with_3_and_draws_nothing() {
 }
 
 #[test]
+fn a_model_that_is_the_reference_itself_is_said_to_be() {
+    let place = Place::new();
+    let points = [point("cheap", 1.0, 0.1), point("close", 10.0, 0.01), point("nbrdf", 5.0, 0.0)];
+    let report = json!({"schema": 1, "reference": "builtin", "materials": 20, "quick": false, "points": points});
+    place.write("saved.json", report.to_string().as_bytes());
+    let text = place.run(&["chart", "--from", "saved.json", "-o", "a.svg"]).text();
+    assert!(text.contains("nbrdf is the reference itself"), "{text}");
+    let svg = String::from_utf8(place.file("a.svg")).unwrap();
+    assert!(svg.contains("reference: builtin; nbrdf is the reference itself"));
+    assert!(svg.contains("2 of 2 models are worth their time: cheap and close"));
+}
+
+#[test]
 fn points_of_two_checkpoints_are_told_apart_by_their_files() {
     let place = Place::new();
     let code = |file: Option<&str>, ns: f64, error: f64| {

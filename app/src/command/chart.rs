@@ -5,6 +5,7 @@ mod files;
 mod models;
 mod saved;
 mod stability;
+mod text;
 
 use std::path::PathBuf;
 
@@ -70,7 +71,7 @@ impl Chart {
             false => atomic::write(&self.output, svg.as_bytes()),
         };
         written.with_context(|| format!("{}: cannot be written", self.output.display()))?;
-        report::print(global, &saved.json(&self.metric), || draw::text(&saved, &self.metric))
+        report::print(global, &saved.json(&self.metric), || text::text(&saved, &self.metric))
     }
 
     fn measure(&self, global: &Global) -> Result<Saved> {

@@ -1,13 +1,11 @@
-//! The picture of a report, and its table.
+//! The picture of a report.
 
 use super::saved::Saved;
-use super::stability::Stability;
 use crate::catalog::Family;
 use crate::measure::front::{EXACT, TIE};
 use crate::measure::point::Point;
 use crate::report;
 use crate::report::svg::scatter::{Kind, Panel, Scatter, Shape, Spot};
-use crate::report::table::Table;
 
 /// Radii of the marks of the smallest and the largest material.
 const SIZES: [f64; 2] = [3.2, 9.0];
@@ -16,12 +14,15 @@ const SIZES: [f64; 2] = [3.2, 9.0];
 pub fn scatter(saved: &Saved, metric: &str, is_dark: bool) -> Scatter {
     let front = saved.front(metric);
     let names: Vec<String> = front.iter().map(|&i| saved.points[i].title()).collect();
-    let title = format!("{} of {} models are worth their time: {}", names.len(), saved.points.len(), listed(&names));
+    let others = saved.points.len() - saved.references(metric).len();
+    let title = format!("{} of {others} models are worth their time: {}", names.len(), listed(&names));
     let quick = if saved.quick { ", a quick look" } else { "" };
     let runs = if saved.runs > 1 { format!(", {} runs", saved.runs) } else { String::new() };
     let subtitle = format!(
-        "{} held-out MERL materials{quick}{runs}, reference: {}; mark size: bytes, bars: eight of ten materials",
-        saved.materials, saved.reference
+        "{} held-out MERL materials{quick}{runs}, reference: {}; {}mark size: bytes, bars: eight of ten materials",
+        saved.materials,
+        saved.reference,
+        themselves(saved, metric).map(|said| said + "; ").unwrap_or_default()
     );
     let error = format!("{}, mean", label(metric));
     let all = || saved.points.iter().map(size);
@@ -105,6 +106,15 @@ fn label(metric: &str) -> String {
     }
 }
 
+/// Which models are what others are measured against, if any.
+pub fn themselves(saved: &Saved, metric: &str) -> Option<String> {
+    match saved.references(metric).as_slice() {
+        [] => None,
+        [one] => Some(format!("{one} is the reference itself")),
+        many => Some(format!("{} are the reference itself", listed(many))),
+    }
+}
+
 fn listed(names: &[String]) -> String {
     match names {
         [] => "none".to_owned(),
@@ -120,38 +130,4 @@ fn shortened(title: String) -> String {
         Some((at, _)) => format!("{}…", &title[..at]),
         None => title,
     }
-}
-
-/// The figures as a table, those on the front marked.
-pub fn text(saved: &Saved, metric: &str) -> String {
-    let head = ["", "model", metric, "10 %", "90 %", "ns", "x loop", "bytes", "shared MB", "encode s"];
-    let mut table = Table::new(head.map(str::to_owned).to_vec());
-    let front = saved.front(metric);
-    let mut order: Vec<usize> = (0..saved.points.len()).collect();
-    order.sort_by(|&a, &b| saved.points[a].times.ns.total_cmp(&saved.points[b].times.ns));
-    for i in order {
-        let point = &saved.points[i];
-        let band = point.error.get(metric);
-        let figure = |value: Option<f64>| report::figure(value.unwrap_or(f64::NAN));
-        table.push(vec![
-            if front.contains(&i) { "*" } else { "" }.to_owned(),
-            point.title(),
-            figure(band.map(|band| band.mean)),
-            figure(band.map(|band| band.p10)),
-            figure(band.map(|band| band.p90)),
-            report::figure(point.times.ns),
-            report::figure(point.times.ratio_to_reference_loop),
-            point.bytes.to_string(),
-            format!("{:.1}", point.shared_bytes as f64 / 1e6),
-            report::figure(point.times.encode_s),
-        ]);
-    }
-    let mut text = format!(
-        "{} held-out MERL materials, reference: {}; * nothing else is closer and no more than a tenth slower\n",
-        saved.materials, saved.reference
-    );
-    if saved.runs > 1 {
-        text += &format!("Times are medians. {}\n", Stability::of(saved, metric));
-    }
-    format!("{text}\n{table}")
 }

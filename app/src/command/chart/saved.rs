@@ -92,6 +92,13 @@ impl Saved {
         front_of_run(&ns, &self.models(metric, |point| point.times.ns), TIE)
     }
 
+    /// Titles of the models without any error: what they decode to is the reference itself, for which a logarithmic axis
+    /// has no place.
+    pub fn references(&self, metric: &str) -> Vec<String> {
+        let is_exact = |point: &&Point| point.error.get(metric).is_some_and(|band| band.max == 0.0);
+        self.points.iter().filter(is_exact).map(Point::title).collect()
+    }
+
     /// Costs and errors.
     fn models(&self, metric: &str, cost: impl Fn(&Point) -> f64) -> Vec<(f64, f64)> {
         let error = |point: &Point| point.error.get(metric).map_or(f64::NAN, |band| band.mean);
