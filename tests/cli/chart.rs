@@ -117,6 +117,20 @@ fn a_model_that_is_the_reference_itself_is_said_to_be() {
 }
 
 #[test]
+fn a_front_too_long_for_the_title_is_named_by_its_ends() {
+    let place = Place::new();
+    let points: Vec<Value> = (0..6u8)
+        .map(|i| point(&format!("a_model_of_a_long_name_{i}"), 2f64.powi(i.into()), 1.0 / f64::from(i + 1)))
+        .collect();
+    let report = json!({"schema": 1, "reference": "published", "materials": 20, "quick": false, "points": points});
+    place.write("saved.json", report.to_string().as_bytes());
+    place.run(&["chart", "--from", "saved.json", "-o", "a.svg"]).ok();
+    let svg = String::from_utf8(place.file("a.svg")).unwrap();
+    let title = "6 of 6 models are worth their time, from a_model_of_a_long_name_0 to a_model_of_a_long_name_5";
+    assert!(svg.contains(title));
+}
+
+#[test]
 fn points_of_two_checkpoints_are_told_apart_by_their_files() {
     let place = Place::new();
     let code = |file: Option<&str>, ns: f64, error: f64| {

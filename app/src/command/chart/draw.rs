@@ -10,12 +10,21 @@ use crate::report::svg::scatter::{Kind, Panel, Scatter, Shape, Spot};
 /// Radii of the marks of the smallest and the largest material.
 const SIZES: [f64; 2] = [3.2, 9.0];
 
+/// Letters of a title that fit a line.
+const LONGEST_TITLE: usize = 112;
+
 /// The chart.
 pub fn scatter(saved: &Saved, metric: &str, is_dark: bool) -> Scatter {
     let front = saved.front(metric);
     let names: Vec<String> = front.iter().map(|&i| saved.points[i].title()).collect();
     let others = saved.points.len() - saved.references(metric).len();
-    let title = format!("{} of {others} models are worth their time: {}", names.len(), listed(&names));
+    let found = format!("{} of {others} models are worth their time", names.len());
+    let title = match names.as_slice() {
+        [first, .., last] if found.chars().count() + listed(&names).chars().count() > LONGEST_TITLE - 2 => {
+            format!("{found}, from {first} to {last}")
+        }
+        _ => format!("{found}: {}", listed(&names)),
+    };
     let quick = if saved.quick { ", a quick look" } else { "" };
     let runs = if saved.runs > 1 { format!(", {} runs", saved.runs) } else { String::new() };
     let subtitle = format!(
@@ -125,8 +134,7 @@ fn listed(names: &[String]) -> String {
 
 /// As much as fits a line.
 fn shortened(title: String) -> String {
-    const LONGEST: usize = 112;
-    match title.char_indices().nth(LONGEST) {
+    match title.char_indices().nth(LONGEST_TITLE) {
         Some((at, _)) => format!("{}…", &title[..at]),
         None => title,
     }
