@@ -90,7 +90,7 @@ there are {far["switches"]} switches, none of which changes the object's pixels 
 """
     page = ROOT / "docs" / "scenes.md"
     kept = page.read_text().split(MARK)[0]
-    page.write_text(kept + MARK + wrapped(figures))
+    page.write_text(wrapped(kept) + MARK + wrapped(figures))
 
 
 if __name__ == "__main__":

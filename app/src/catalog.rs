@@ -24,7 +24,7 @@ use nbrdf_core::{Interpolation, Representation};
 
 pub use family::Family;
 pub use interpolations::INTERPOLATIONS;
-pub use ladder::{Ladder, NBRDF};
+pub use ladder::{NBRDF, ladder};
 pub use learned::{BasisSize, Catalog};
 pub use reference::Reference;
 pub use representations::REPRESENTATIONS;

@@ -6,6 +6,7 @@ use nbrdf_core::library::{LibraryError, UnknownMaterial};
 use nbrdf_core::measured::MeasuredError;
 use nbrdf_core::nbrdf::file::ReadError;
 use nbrdf_core::path::{PathError, WeightsError};
+use nbrdf_core::plan::PlanError;
 use nbrdf_core::render::environment::EnvironmentError;
 use nbrdf_core::representation::charting::ChartingError;
 use nbrdf_core::representation::measured_tables::BasisError;
@@ -46,6 +47,7 @@ pub fn exit_code(error: &anyhow::Error) -> u8 {
             || cause.is::<ChartingError>()
             || cause.is::<EnvironmentError>()
             || cause.is::<SceneError>()
+            || matches!(cause.downcast_ref(), Some(PlanError::Encode(_)))
             || cause.downcast_ref().is_some_and(invalid_checkpoint)
             || cause.downcast_ref().is_some_and(invalid_tensors)
             || matches!(cause.downcast_ref(), Some(RefitError::NothingToLearnFrom { .. } | RefitError::Library(_)))

@@ -6,8 +6,13 @@ use std::path::Path;
 
 /// The bytes of a file; none where it has more than `limit`, of which no more than these are read.
 pub fn read(path: &Path, limit: u64) -> io::Result<Option<Vec<u8>>> {
+    read_from(File::open(path)?, limit)
+}
+
+/// The same from anything that is read.
+pub fn read_from(reader: impl Read, limit: u64) -> io::Result<Option<Vec<u8>>> {
     let mut bytes = Vec::new();
-    File::open(path)?.take(limit + 1).read_to_end(&mut bytes)?;
+    reader.take(limit + 1).read_to_end(&mut bytes)?;
     Ok((bytes.len() as u64 <= limit).then_some(bytes))
 }
 

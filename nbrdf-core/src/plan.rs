@@ -12,12 +12,14 @@ mod follow;
 mod judge;
 mod models;
 mod planner;
+mod totals;
 
 use std::sync::Arc;
 
 pub use follow::{Followed, LEAVES, TAKES_OVER};
 pub use models::Models;
-pub use planner::{Planner, Totals};
+pub use planner::Planner;
+pub use totals::Totals;
 
 use crate::representation::EncodeError;
 use crate::{Brdf, Code, Image, Material, Nbrdf};
@@ -88,6 +90,8 @@ pub struct Options {
     pub by: By,
     /// Try every model on every object, in the picture: what the walk is checked against.
     pub exhaustive: bool,
+    /// A rung that the plan is compared with, used for everything.
+    pub beside: Option<usize>,
 }
 
 /// The model of one object.
@@ -101,8 +105,11 @@ pub struct Choice {
     pub ns: f64,
     /// Bytes of the material.
     pub bytes: usize,
-    /// The closest of the others that were tried, where none of them is within the tolerance: its kind and error.
+    /// Where nothing but the material itself is within the tolerance: the closest of the others that were tried, and its
+    /// error.
     pub unmet: Option<(usize, f64)>,
+    /// Nanoseconds and bytes of the model that the plan is compared with, timed beside this one.
+    pub beside: Option<(f64, usize)>,
 }
 
 /// A model for every object, and what becomes of the picture.
@@ -116,6 +123,8 @@ pub struct Plan {
     pub planned: Image,
     /// What evaluation and storage of the whole scene cost.
     pub totals: Totals,
+    /// The same with the rung that the plan is compared with; none where a material has no such model.
+    pub beside: Option<Totals>,
     /// How many models were made.
     pub tried: usize,
 }
@@ -126,9 +135,9 @@ pub enum PlanError {
     /// The user has asked to stop.
     #[error("cancelled")]
     Cancelled,
-    /// A material that no model can be made of.
-    #[error(transparent)]
-    Encode(#[from] EncodeError),
+    /// A material that cannot be used at all.
+    #[error("{0}")]
+    Encode(#[source] EncodeError),
 }
 
 /// Who is told of every model that was tried, and who may stop the work.

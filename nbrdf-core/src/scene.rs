@@ -24,14 +24,14 @@ pub use camera::Camera;
 pub use demand::Demand;
 pub use error::{SceneError, SceneProblem};
 pub use lamp::Lamp;
-pub use mesh::Mesh;
+pub use mesh::{Mesh, Triangle};
 pub use ray::{Hit, Ray};
 pub use shape::Shape;
 pub use view::{Gathering, View};
 
 /// Pixels per side at most.
 pub const MAX_SIDE: usize = 4096;
-/// Pairs of directions that a picture may ask for: 0.6 GB.
+/// Pairs of directions that a picture may ask for: 0.6 GB, and twice as much while it is looked at.
 pub const MAX_PAIRS: usize = 1 << 24;
 /// Objects, and lights, at most.
 pub const MAX_OBJECTS: usize = 1000;

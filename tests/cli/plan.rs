@@ -52,7 +52,8 @@ fn every_object_gets_a_model_within_the_tolerance_and_its_file() {
 fn fewest_bytes_take_no_more_bytes_than_least_time() {
     let place = Place::new();
     place.write("scene.toml", scene().as_bytes());
-    let bytes = |by: &str| place.run(&["plan", "scene.toml", "--json", "--by", by]).json()["planned"]["bytes"].as_u64();
+    let plan = |by: &str| place.run(&["plan", "scene.toml", "--json", "--by", by]).json();
+    let bytes = |by: &str| plan(by)["planned"]["bytes"].as_u64().unwrap();
     assert!(bytes("bytes") <= bytes("time"));
 }
 
@@ -72,15 +73,34 @@ fn sweeps_tell_what_tolerance_costs_and_where_models_switch() {
     place.write("scene.toml", format!("{HEAD}{LAMPS}{}", ball("ball", "red-plastic", 0.0)).as_bytes());
     let report = place.run(&["plan", "scene.toml", "--json", "--sweep", "tolerance"]).json();
     let rows = report["rows"].as_array().unwrap();
-    assert!(rows.iter().all(|row| row["worst_error"].as_f64() <= row["tolerance"].as_f64()), "{report}");
+    let number = |row: &Value, key: &str| row[key].as_f64().unwrap_or_else(|| panic!("{key}: {row}"));
+    assert!(rows.iter().all(|row| number(row, "worst_error") <= number(row, "tolerance")), "{report}");
     let ns = |row: &Value| row["ns"].as_f64().unwrap();
     assert!(ns(&rows[rows.len() - 1]) < ns(&rows[0]));
     assert!(place.file("plan.svg").starts_with(b"<svg"));
     let report = place.run(&["plan", "scene.toml", "--json", "--sweep", "distance", "-o", "far.png"]).json();
     let rows = report["rows"].as_array().unwrap();
-    assert!(rows.iter().all(|row| row["error"].as_f64() <= Some(0.04)), "{report}");
+    assert!(rows.iter().all(|row| number(row, "error") <= 0.04), "{report}");
     assert!(report["largest_change"].as_f64().unwrap() <= 0.04, "{report}");
     assert!(place.file("far.png").starts_with(b"\x89PNG"));
+}
+
+#[test]
+fn a_scene_may_come_from_a_pipe_and_an_export_replaces_that_of_before() {
+    let place = Place::new();
+    let text = format!("{HEAD}{LAMPS}{}", ball("own", "red-plastic", 0.0));
+    for tolerance in ["1", "0.01"] {
+        let arguments = ["plan", "-", "--quiet", "--tolerance", tolerance, "--export", "models"];
+        place.run_with_input(&arguments, text.as_bytes()).ok();
+        let written: Value = serde_json::from_slice(&place.file("models/plan.json")).unwrap();
+        let file = written["objects"][0]["file"].as_str().unwrap();
+        let mut found: Vec<_> =
+            std::fs::read_dir(place.path().join("models")).unwrap().map(|f| f.unwrap().file_name()).collect();
+        found.sort();
+        let mut expected = vec![std::ffi::OsString::from("plan.json"), file.into()];
+        expected.sort();
+        assert_eq!(found, expected);
+    }
 }
 
 #[test]
@@ -118,6 +138,7 @@ fn what_cannot_be_planned_exits_with_3_and_says_why() {
     let said = place.run(&["plan", "scene.toml", "--tolerance", "1e-9"]).fails(3);
     assert!(said.contains("which only the materials themselves meet (the closest is"), "{said}");
     place.run(&["plan", "scene.toml", "--tolerance", "0"]).fails(2);
+    place.run(&["plan", "scene.toml", "--sweep", "tolerance", "--tolerance", "0.1"]).fails(2);
     let said = place.run(&["plan", "scene.toml", "--sweep", "distance", "--object", "z"]).fails(2);
     assert!(said.contains("expected one of 'a', found 'z'"), "{said}");
     assert!(!place.names().iter().any(|name| name.ends_with(".png") || name.ends_with(".svg")), "nothing is half done");

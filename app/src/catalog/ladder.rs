@@ -3,6 +3,7 @@
 //! Formulas, factors, networks, tables, and codes that decode to networks. Linear bases and charts are left out: they
 //! evaluate a dozen times as slowly as networks that are closer, and share tens of megabytes.
 
+use std::path::PathBuf;
 use std::sync::{Arc, Mutex, PoisonError};
 
 use anyhow::{Context, Result};
@@ -26,49 +27,52 @@ const REPEATS: usize = 8;
 /// A built-in network of about as many live units as most, for the time to expect of its kind.
 const TYPICAL: &str = "gold-paint";
 
-/// How the rungs are made.
-pub struct Ladder;
-
-impl Ladder {
-    /// All rungs: those of the catalog, codes of further checkpoints, and the materials themselves, which take
-    /// `own_bytes` where they are no networks.
-    pub fn rungs(
-        catalog: &Catalog,
-        others: &[Catalog],
-        own_bytes: impl Fn(&Material) -> usize + Send + Sync + 'static,
-    ) -> Result<Vec<Rung>> {
-        let mut rungs = Vec::new();
-        for entry in REPRESENTATIONS.iter().filter(|entry| is_rung(entry)) {
-            let representation = entry.build(catalog)?;
-            match entry.family {
-                Family::Code => rungs.push(code(entry, representation)?),
-                // The other precisions follow from the same fit.
-                Family::Network if representation.precision() != Precision::Single => {}
-                Family::Network => rungs.extend(networks(entry, representation)?),
-                _ => rungs.push(decoded(entry, representation)?),
-            }
+/// All rungs: those of the catalog, codes of further checkpoints (each with its file), and the materials themselves, which
+/// take `own_bytes` where they are no networks.
+pub fn ladder(
+    catalog: &Catalog,
+    others: &[(PathBuf, Catalog)],
+    own_bytes: impl Fn(&Material) -> usize + Send + Sync + 'static,
+) -> Result<Vec<Rung>> {
+    let mut rungs = Vec::new();
+    for entry in REPRESENTATIONS.iter().filter(|entry| is_rung(entry)) {
+        let representation = entry.build(catalog)?;
+        match entry.family {
+            Family::Code => rungs.push(code(entry, representation, "")?),
+            // The other precisions follow from the same fit.
+            Family::Network if representation.precision() != Precision::Single => {}
+            Family::Network => rungs.extend(networks(entry, representation)?),
+            _ => rungs.push(decoded(entry, representation)?),
         }
-        for other in others {
-            for entry in REPRESENTATIONS.iter().filter(|entry| entry.family == Family::Code && is_rung(entry)) {
-                rungs.push(code(entry, entry.build(other)?)?);
-            }
-        }
-        time(&mut rungs);
-        let itself = move |material: &Material| {
-            Ok(match &material.network {
-                Some(network) => {
-                    let pruned = network.pruned();
-                    Model { bytes: bytes(&pruned, Precision::Single), brdf: Arc::new(pruned), kept: Kept::Itself }
-                }
-                None => Model { bytes: own_bytes(material), brdf: Arc::clone(&material.brdf), kept: Kept::Itself },
-            })
-        };
-        let mut rungs: Vec<Rung> = rungs.into_iter().map(|timed| timed.rung).collect();
-        // What the materials themselves cost is measured and not expected.
-        let (name, make) = (ITSELF.to_owned(), Box::new(itself));
-        rungs.push(Rung { name, ns: f64::INFINITY, bytes: 0, shared: None, is_itself: true, make });
-        Ok(rungs)
     }
+    for (path, other) in others {
+        for entry in REPRESENTATIONS.iter().filter(|entry| entry.family == Family::Code && is_rung(entry)) {
+            let representation = entry.build(other)?;
+            let own = code(entry, Arc::clone(&representation), "")?;
+            // Of one length there may be several: the file tells them apart, or the mark of what was learned.
+            let is_new = |timed: &Timed| rungs.iter().all(|known: &Timed| known.rung.name != timed.rung.name);
+            let of = |mark: &str| code(entry, Arc::clone(&representation), mark);
+            let stem = path.file_stem().unwrap_or_default().to_string_lossy();
+            let named = if is_new(&own) { own } else { of(&format!("_{stem}"))? };
+            let named = if is_new(&named) { named } else { of(&format!("_{}", representation.checkpoint()))? };
+            // The same checkpoint twice.
+            if is_new(&named) {
+                rungs.push(named);
+            }
+        }
+    }
+    time(&mut rungs);
+    let itself = move |material: &Material| {
+        Ok(match &material.network {
+            Some(network) => pruned(network, Precision::Single, |_| Kept::Itself),
+            None => Model { bytes: own_bytes(material), brdf: Arc::clone(&material.brdf), kept: Kept::Itself },
+        })
+    };
+    let mut rungs: Vec<Rung> = rungs.into_iter().map(|timed| timed.rung).collect();
+    // What the materials themselves cost is measured and not expected.
+    let (name, make) = (ITSELF.to_owned(), Box::new(itself));
+    rungs.push(Rung { name, ns: f64::INFINITY, bytes: 0, shared: None, is_itself: true, make });
+    Ok(rungs)
 }
 
 /// A rung, and a model of its kind to time.
@@ -85,7 +89,11 @@ impl Timed {
 
 fn is_rung(entry: &RepresentationEntry) -> bool {
     match entry.family {
-        Family::Formula | Family::Factored | Family::Network | Family::Table => true,
+        Family::Formula | Family::Factored => true,
+        // Over the angles of light and view a table has no file of its own, and is no closer.
+        Family::Table => entry.name != "table_standard",
+        // All networks are pruned here.
+        Family::Network => entry.name != "nbrdf_pruned",
         Family::Code => entry.name == "znbrdf" && entry.variant == Variant::Refined,
         Family::Linear | Family::Chart => false,
     }
@@ -106,8 +114,8 @@ fn decoded(entry: &RepresentationEntry, representation: Shared) -> Result<Timed>
 }
 
 /// Of codes that decode to networks.
-fn code(entry: &RepresentationEntry, representation: Shared) -> Result<Timed> {
-    let name = format!("{}_{}", entry.name, representation.dim());
+fn code(entry: &RepresentationEntry, representation: Shared, mark: &str) -> Result<Timed> {
+    let name = format!("{}_{}{mark}", entry.name, representation.dim());
     let bytes = representation.code_bytes();
     let shared = Some((name.clone(), representation.shared_bytes()));
     let make = move |material: &Material| {
@@ -131,8 +139,7 @@ fn networks(entry: &RepresentationEntry, representation: Shared) -> Result<Vec<T
         let fits = Arc::clone(&fits);
         let make = move |material: &Material| {
             let network = precision.round(&fits.get(material)?);
-            let pruned = network.pruned();
-            Ok(Model { bytes: bytes(&pruned, precision), brdf: Arc::new(pruned), kept: Kept::Network(network) })
+            Ok(pruned(&network, precision, Kept::Network))
         };
         let name = format!("{}{suffix}", entry.name);
         Timed::new(name, precision.bytes(hidden), None, Box::new(make), Box::new(typical(hidden)))
@@ -161,9 +168,11 @@ impl Fits {
     }
 }
 
-/// Of a network without the units that never fire.
-fn bytes(pruned: &Nbrdf, precision: Precision) -> usize {
-    precision.bytes([0, 1].map(|layer| pruned.evaluated().units[layer].len().max(1)))
+/// A network without the units that never fire.
+fn pruned(network: &Nbrdf, precision: Precision, kept: impl Fn(Nbrdf) -> Kept) -> Model {
+    let pruned = network.pruned();
+    let compact = pruned.compact();
+    Model { bytes: precision.bytes(compact.hidden()), brdf: Arc::new(pruned), kept: kept(compact) }
 }
 
 /// A network as they usually are of these widths, pruned.
@@ -203,7 +212,7 @@ mod tests {
     #[test]
     fn every_rung_makes_what_is_kept_of_it_in_no_more_bytes_than_expected() {
         let catalog = Catalog::new(Arc::new(Reference::built_in()));
-        let rungs = Ladder::rungs(&catalog, &[], |_| 0).unwrap();
+        let rungs = ladder(&catalog, &[], |_| 0).unwrap();
         let names: BTreeSet<&str> = rungs.iter().map(|rung| rung.name.as_str()).collect();
         assert_eq!(names.len(), rungs.len(), "no name twice");
         assert!(

@@ -17,6 +17,7 @@ use clap::{Args, ValueEnum};
 use nbrdf_core::plan::{By, Models, Options, Plan as Planned, Planner, TOLERANCE, Watch};
 
 use super::Global;
+use crate::catalog::NBRDF;
 use crate::failure::Failure;
 use crate::{output, progress, report};
 use opened::Opened;
@@ -84,6 +85,7 @@ fn tolerance(text: &str) -> Result<f64, String> {
 impl Plan {
     /// Runs the command.
     pub fn run(&self, global: &Global) -> Result<()> {
+        self.check_switches()?;
         let (default, forms): (_, &[&str]) = match self.sweep {
             None => ("plan.png", &["png"]),
             Some(_) => ("plan.svg", &["svg", "png"]),
@@ -96,7 +98,8 @@ impl Plan {
         let opened = Opened::load(&self.scene, self.library.as_deref(), &self.checkpoint)?;
         let by = if self.by == Least::Time { By::Time } else { By::Bytes };
         let tolerance = self.tolerance.or(opened.scene.tolerance).unwrap_or(TOLERANCE);
-        let options = Options { tolerance, by, exhaustive: false };
+        let beside = opened.ladder.iter().position(|rung| rung.name == NBRDF);
+        let options = Options { tolerance, by, exhaustive: false, beside };
         match self.sweep {
             None => self.once(&opened, options, &output, global),
             Some(Sweep::Tolerance) => tolerance::sweep(&opened, options, &output, global),
@@ -107,17 +110,28 @@ impl Plan {
         }
     }
 
+    /// Refuses what a sweep would not heed.
+    fn check_switches(&self) -> Result<()> {
+        let unheeded = match self.sweep {
+            Some(Sweep::Tolerance) if self.tolerance.is_some() => "--tolerance: a sweep of the tolerance has its own",
+            Some(Sweep::Tolerance) if self.object.is_some() => "--object: a sweep of the tolerance is of all objects",
+            Some(Sweep::Distance) if self.by == Least::Bytes => "--by bytes: a sweep of the distance is by time",
+            _ => return Ok(()),
+        };
+        Err(Failure::Usage(format!("{unheeded}: leave it out")).into())
+    }
+
     fn once(&self, opened: &Opened, options: Options, output: &Path, global: &Global) -> Result<()> {
-        let view = opened.view(&opened.scene, global)?;
+        let view = opened.whole_view(global)?;
         let models = Models::new(&opened.materials, &opened.ladder);
         let start = Instant::now();
         let planner = Planner::new(&view, &models, &opened.material)?;
         let plan = watched(&planner, options, global)?;
         let seconds = start.elapsed().as_secs_f64();
         refuse_if_nothing_serves(opened, &planner, &plan, options)?;
-        let mut summary = summary::json(opened, &planner, &plan, options, seconds)?;
+        let mut summary = summary::json(opened, &planner, &plan, options, seconds);
         if self.check {
-            summary["check"] = check::json(opened, &view, &planner, options, seconds, global)?;
+            summary["check"] = check::json(opened, &planner, &plan, options, seconds, global)?;
         }
         output::write_picture(output, &picture::triptych(&self.scene, &view, &plan, &summary))?;
         if let Some(folder) = &self.export {

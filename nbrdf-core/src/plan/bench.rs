@@ -23,34 +23,53 @@ type Key = (usize, usize);
 
 /// Nanoseconds per evaluation of the models so far.
 #[derive(Default)]
-pub(super) struct Bench(Mutex<BTreeMap<Key, f64>>);
+pub(super) struct Bench {
+    times: Mutex<BTreeMap<Key, f64>>,
+    /// Taken over from another bench, and not measured again.
+    taken: Mutex<BTreeMap<Key, f64>>,
+}
 
 impl Bench {
-    /// Measures those that are new on their objects' demands, one thread, in turns.
+    /// Measures models on their objects' demands, one thread, in turns, those of before anew: only times of one run are
+    /// compared.
     pub fn measure(&self, models: &[(Key, &dyn Brdf)], demands: &[Demand]) {
-        let mut new: BTreeMap<Key, &dyn Brdf> = models.iter().copied().collect();
-        new.retain(|key, _| self.ns(*key).is_none());
-        let mut times: Vec<Vec<f64>> = new.iter().map(|_| Vec::with_capacity(REPEATS)).collect();
+        let mut models: BTreeMap<Key, &dyn Brdf> = models.iter().copied().collect();
+        let taken = self.taken.lock().unwrap_or_else(PoisonError::into_inner).clone();
+        models.retain(|key, _| !taken.contains_key(key));
+        let mut times: Vec<Vec<f64>> = models.iter().map(|_| Vec::with_capacity(REPEATS)).collect();
         let mut out = vec![Rgb::BLACK; BATCH];
         for _ in 0..REPEATS {
-            for (((object, _), brdf), times) in new.iter().zip(&mut times) {
-                times.extend(run(*brdf, &demands[*object].batches(BATCH, BATCHES), &mut out));
+            for (((object, _), brdf), times) in models.iter().zip(&mut times) {
+                let batches = demands[*object].batches(BATCH, BATCHES);
+                // What was evaluated before has left cold caches.
+                if let Some(first) = batches.first() {
+                    brdf.eval_into(black_box(first), &mut out[..first.len()]);
+                }
+                times.extend(run(*brdf, &batches, &mut out));
             }
         }
         let ns = times.iter_mut().map(|times| median(times));
-        let mut known = self.0.lock().unwrap_or_else(PoisonError::into_inner);
-        known.extend(new.keys().copied().zip(ns).filter(|(_, ns)| ns.is_finite()));
+        let mut known = self.times.lock().unwrap_or_else(PoisonError::into_inner);
+        known.extend(models.keys().copied().zip(ns).filter(|(_, ns)| ns.is_finite()));
+    }
+
+    /// The same for those that were never measured.
+    pub fn measure_new(&self, models: &[(Key, &dyn Brdf)], demands: &[Demand]) {
+        let new: Vec<_> = models.iter().copied().filter(|(key, _)| self.ns(*key).is_none()).collect();
+        self.measure(&new, demands);
     }
 
     /// Of a model that was measured.
     pub fn ns(&self, key: Key) -> Option<f64> {
-        self.0.lock().unwrap_or_else(PoisonError::into_inner).get(&key).copied()
+        let of =
+            |times: &Mutex<BTreeMap<Key, f64>>| times.lock().unwrap_or_else(PoisonError::into_inner).get(&key).copied();
+        of(&self.taken).or_else(|| of(&self.times))
     }
 
     /// Takes over what another one has measured.
-    pub fn learn(&self, other: &Self) {
-        let others = other.0.lock().unwrap_or_else(PoisonError::into_inner).clone();
-        self.0.lock().unwrap_or_else(PoisonError::into_inner).extend(others);
+    pub fn take(&self, other: &Self) {
+        let others = other.times.lock().unwrap_or_else(PoisonError::into_inner).clone();
+        self.taken.lock().unwrap_or_else(PoisonError::into_inner).extend(others);
     }
 }
 

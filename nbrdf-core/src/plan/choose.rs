@@ -1,8 +1,11 @@
 //! One model per object out of those that are good enough, cheapest together.
 
+mod tally;
+
 use std::collections::BTreeSet;
 
 use super::{By, TIE};
+pub(super) use tally::Tally;
 
 /// A model that is good enough for an object.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -17,7 +20,7 @@ pub(super) struct Candidate {
     pub shared: Option<(usize, usize)>,
 }
 
-/// An object's choice, and what of it is stored once for all objects that use it.
+/// An object and what it can choose from.
 #[derive(Clone, Debug)]
 pub(super) struct Seat {
     /// Objects of one material share its models.
@@ -26,16 +29,21 @@ pub(super) struct Seat {
     pub candidates: Vec<Candidate>,
 }
 
-/// Which candidate each object takes.
+/// Which candidate each object takes. By time: of those within a tie of an object's fastest the fewest bytes of all
+/// together. By bytes: the fewest of all together, and of those within a tie of an object's share the fastest.
 pub(super) fn choose(seats: &[Seat], by: By) -> Vec<usize> {
     let allowed: Vec<Vec<usize>> = seats.iter().map(|seat| allowed(&seat.candidates, by)).collect();
     let shared: BTreeSet<usize> =
         seats.iter().flat_map(|seat| &seat.candidates).filter_map(|own| own.shared).map(|(number, _)| number).collect();
     // What is shared pays for several objects or for none: each is tried for all objects that can use it.
-    let mut starts = vec![cheapest(seats, &allowed, None)];
-    starts.extend(shared.into_iter().map(|number| cheapest(seats, &allowed, Some(number))));
+    let mut starts = vec![alone(seats, &allowed, None)];
+    starts.extend(shared.into_iter().map(|number| alone(seats, &allowed, Some(number))));
     let ends = starts.into_iter().map(|start| descend(seats, &allowed, start));
-    ends.min_by(|a, b| cost(seats, a).total_cmp(&cost(seats, b))).unwrap_or_default()
+    let fewest = ends.min_by_key(|chosen| Tally::of(seats, chosen).bytes()).unwrap_or_default();
+    match by {
+        By::Time => fewest,
+        By::Bytes => hasten(seats, fewest),
+    }
 }
 
 /// By time: what is within a tie of the fastest.
@@ -46,7 +54,7 @@ fn allowed(candidates: &[Candidate], by: By) -> Vec<usize> {
 }
 
 /// Each object by itself, with one shared part for nothing.
-fn cheapest(seats: &[Seat], allowed: &[Vec<usize>], free: Option<usize>) -> Vec<usize> {
+fn alone(seats: &[Seat], allowed: &[Vec<usize>], free: Option<usize>) -> Vec<usize> {
     let one = |(seat, allowed): (&Seat, &Vec<usize>)| {
         let bytes = |i: &usize| {
             let own = &seat.candidates[*i];
@@ -61,84 +69,66 @@ fn cheapest(seats: &[Seat], allowed: &[Vec<usize>], free: Option<usize>) -> Vec<
     seats.iter().zip(allowed).map(one).collect()
 }
 
-/// Objects change their choice one by one, as long as that saves something.
+/// Objects change their choice, one by one and all of a material together, as long as that saves bytes.
 fn descend(seats: &[Seat], allowed: &[Vec<usize>], mut chosen: Vec<usize>) -> Vec<usize> {
+    let mut tally = Tally::of(seats, &chosen);
+    let materials: BTreeSet<usize> = seats.iter().map(|seat| seat.material).collect();
+    let groups: Vec<Vec<usize>> = materials
+        .into_iter()
+        .map(|material| (0..seats.len()).filter(|&object| seats[object].material == material).collect())
+        .chain((0..seats.len()).map(|object| vec![object]))
+        .collect();
     loop {
-        let before = cost(seats, &chosen);
-        for object in 0..seats.len() {
-            let cost_of = |i: usize| {
-                let mut other = chosen.clone();
-                other[object] = i;
-                cost(seats, &other)
-            };
-            let best = allowed[object].iter().copied().min_by(|a, b| cost_of(*a).total_cmp(&cost_of(*b)));
-            if let Some(best) = best.filter(|&best| cost_of(best) < cost(seats, &chosen)) {
-                chosen[object] = best;
+        let before = tally.bytes();
+        for group in &groups {
+            for rung in rungs(seats, allowed, group) {
+                let other: Vec<usize> =
+                    group.iter().filter_map(|&object| place(&seats[object], &allowed[object], rung)).collect();
+                let (now, old): (_, Vec<usize>) = (tally.bytes(), group.iter().map(|&object| chosen[object]).collect());
+                tally.change(seats, group, &old, &other);
+                if tally.bytes() < now {
+                    group.iter().zip(&other).for_each(|(&object, &i)| chosen[object] = i);
+                } else {
+                    tally.change(seats, group, &other, &old);
+                }
             }
         }
-        if cost(seats, &chosen) >= before {
+        if tally.bytes() >= before {
             return chosen;
         }
     }
 }
 
-/// Bytes of all together, what is used twice counted once; of the same bytes less time is better.
-fn cost(seats: &[Seat], chosen: &[usize]) -> f64 {
-    let own = || seats.iter().zip(chosen).map(|(seat, &i)| (seat.material, &seat.candidates[i]));
-    let ns: f64 = own().map(|(_, own)| own.ns).sum();
-    total_bytes(own()) as f64 + 1e-6 * ns
+/// Rungs that all of these objects may take.
+fn rungs(seats: &[Seat], allowed: &[Vec<usize>], group: &[usize]) -> Vec<usize> {
+    let first = group.first().map_or(&[][..], |&object| &allowed[object]);
+    let rungs = first.iter().map(|&i| seats[group[0]].candidates[i].rung);
+    rungs.filter(|&rung| group.iter().all(|&o| place(&seats[o], &allowed[o], rung).is_some())).collect()
 }
 
-/// Bytes of models, each with its material: the same model of the same material counts once, and so do shared parts.
-pub(super) fn total_bytes<'a>(models: impl Iterator<Item = (usize, &'a Candidate)>) -> usize {
-    let (mut kept, mut shared) = (BTreeSet::new(), BTreeSet::new());
-    let mut total = 0;
-    for (material, own) in models {
-        total += if kept.insert((material, own.rung)) { own.bytes } else { 0 };
-        total += own.shared.filter(|(number, _)| shared.insert(*number)).map_or(0, |(_, bytes)| bytes);
+fn place(seat: &Seat, allowed: &[usize], rung: usize) -> Option<usize> {
+    allowed.iter().copied().find(|&i| seat.candidates[i].rung == rung)
+}
+
+/// Objects take what is faster where that costs hardly more bytes.
+fn hasten(seats: &[Seat], mut chosen: Vec<usize>) -> Vec<usize> {
+    let mut tally = Tally::of(seats, &chosen);
+    for (object, seat) in seats.iter().enumerate() {
+        let before = tally.bytes();
+        let most = before as f64 + (TIE - 1.0) * seat.candidates[chosen[object]].bytes as f64;
+        let mut order: Vec<usize> = (0..seat.candidates.len()).collect();
+        order.sort_by(|&a, &b| seat.candidates[a].ns.total_cmp(&seat.candidates[b].ns));
+        for i in order.into_iter().take_while(|&i| seat.candidates[i].ns < seat.candidates[chosen[object]].ns) {
+            tally.change(seats, &[object], &[chosen[object]], &[i]);
+            if tally.bytes() as f64 <= most {
+                chosen[object] = i;
+                break;
+            }
+            tally.change(seats, &[object], &[i], &[chosen[object]]);
+        }
     }
-    total
+    chosen
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn candidate(rung: usize, ns: f64, bytes: usize, shared: Option<(usize, usize)>) -> Candidate {
-        Candidate { rung, ns, bytes, shared }
-    }
-
-    fn rungs(seats: &[Seat], by: By) -> Vec<usize> {
-        choose(seats, by).iter().zip(seats).map(|(&i, seat)| seat.candidates[i].rung).collect()
-    }
-
-    #[test]
-    fn time_comes_first_and_bytes_decide_within_a_tenth() {
-        let candidates =
-            vec![candidate(0, 10.0, 3000, None), candidate(1, 10.8, 800, None), candidate(2, 20.0, 10, None)];
-        let seats = [Seat { material: 0, candidates }];
-        assert_eq!(rungs(&seats, By::Time), [1]);
-        assert_eq!(rungs(&seats, By::Bytes), [2]);
-    }
-
-    #[test]
-    fn a_decoder_is_worth_its_bytes_only_for_many() {
-        let seat = |material| Seat {
-            material,
-            candidates: vec![candidate(0, 10.0, 2700, None), candidate(1, 10.0, 128, Some((0, 10_000)))],
-        };
-        for (count, expected) in [(3, 0), (5, 1)] {
-            let seats: Vec<Seat> = (0..count).map(seat).collect();
-            assert_eq!(rungs(&seats, By::Bytes), vec![expected; count], "{count}");
-        }
-    }
-
-    #[test]
-    fn what_is_there_anyway_costs_nothing_more() {
-        let near = Seat { material: 7, candidates: vec![candidate(3, 12.0, 800, None)] };
-        let far = Seat { material: 7, candidates: vec![candidate(0, 1.0, 12, None), candidate(3, 12.0, 800, None)] };
-        let other = Seat { material: 8, ..far.clone() };
-        assert_eq!(rungs(&[near.clone(), far.clone(), other.clone()], By::Bytes), [3, 3, 0]);
-        assert_eq!(rungs(&[near, far, other], By::Time), [3, 0, 0]);
-    }
-}
+mod tests;

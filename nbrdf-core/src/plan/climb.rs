@@ -55,12 +55,15 @@ impl Planner<'_> {
                 least = least.min(cost);
             }
         }
-        let others = (0..self.models.ladder.len()).filter(|rung| !within.contains(rung));
-        let tried = others.filter_map(|rung| {
+        // Another form of the same network is the material itself, too.
+        let is_other = |rung: &usize| self.known(object, *rung).error != Some(0.0);
+        let is_alone = !within.iter().any(is_other);
+        let tried = (0..self.models.ladder.len()).filter(|&rung| is_alone && !refused.contains(&(object, rung)));
+        let tried = tried.filter(is_other).filter_map(|rung| {
             let Known { error, estimate } = self.known(object, rung);
-            Some((rung, error.or(estimate)?))
+            Some((rung, error.or(estimate).filter(|error| error.is_finite())?))
         });
-        let closest = tried.min_by(|a, b| a.1.total_cmp(&b.1));
+        let closest = tried.min_by(|a, b| a.1.total_cmp(&b.1)).map(|(rung, _)| rung);
         Ok(Found { within, closest })
     }
 
@@ -93,7 +96,7 @@ impl Planner<'_> {
                 let (mut ns, mut bytes) = (f64::INFINITY, usize::MAX);
                 for &own in &found.within {
                     ns = ns.min(self.expected(object, own, By::Time)?);
-                    bytes = bytes.min(self.models.get(self.material[object], own)?.bytes);
+                    bytes = bytes.min(self.model(object, own)?.bytes);
                 }
                 if options.by == By::Bytes || kind.ns <= SLACK[0] * ns {
                     objects.push(object);
@@ -128,10 +131,14 @@ impl Planner<'_> {
             return Ok(error <= options.tolerance);
         }
         let limit = FAR_OFF * options.tolerance;
-        if !options.exhaustive && estimate.is_some_and(|estimate| estimate > limit) {
+        if estimate.is_some_and(|estimate| estimate == f64::INFINITY || (!options.exhaustive && estimate > limit)) {
             return Ok(false);
         }
-        let model = self.models.get(self.material[object], rung)?;
+        // A material that this kind of model cannot hold is not served by it.
+        let Ok(model) = self.model(object, rung) else {
+            self.keep(object, rung, Known { estimate: Some(f64::INFINITY), error: None });
+            return Ok(false);
+        };
         (watch.tried)(object, &self.models.ladder[rung].name);
         let estimate = if options.exhaustive { None } else { self.judge.estimate(object, model.brdf.as_ref()) };
         if estimate.is_some_and(|estimate| estimate > limit) {
@@ -145,12 +152,11 @@ impl Planner<'_> {
 
     /// What a model will cost before it is made; the material itself is there from the beginning.
     fn expected(&self, object: usize, rung: usize, by: By) -> Result<f64, PlanError> {
-        let material = self.material[object];
         let kind = &self.models.ladder[rung];
         let is_itself = kind.is_itself;
         Ok(match by {
             By::Time if is_itself => self.bench_ns(object, rung).unwrap_or(kind.ns),
-            By::Bytes if is_itself => self.models.get(material, rung)?.bytes as f64,
+            By::Bytes if is_itself => self.model(object, rung)?.bytes as f64,
             By::Time => kind.ns,
             By::Bytes => kind.bytes as f64,
         })

@@ -28,7 +28,7 @@ pub struct Followed {
 }
 
 impl Planner<'_> {
-    /// The model of an object that had `before` at a neighbouring distance.
+    /// The model of an object that had `before` at a neighbouring distance, by time whatever the options say.
     ///
     /// # Errors
     /// [`PlanError`]: cancelled, or a material that cannot be encoded.
@@ -39,7 +39,8 @@ impl Planner<'_> {
         options: Options,
         watch: &Watch,
     ) -> Result<Followed, PlanError> {
-        let options = |share: f64| Options { by: By::Time, exhaustive: false, tolerance: share * options.tolerance };
+        let options =
+            |share: f64| Options { by: By::Time, exhaustive: false, tolerance: share * options.tolerance, ..options };
         let Some(before) = before else {
             return self.followed(object, self.best(object, options(LEAVES), watch)?, None);
         };
@@ -79,7 +80,7 @@ impl Planner<'_> {
     }
 
     fn followed(&self, object: usize, rung: usize, before: Option<usize>) -> Result<Followed, PlanError> {
-        let model = self.models.get(self.material[object], rung)?;
+        let model = self.model(object, rung)?;
         let change = before.filter(|&before| before != rung).map(|before| self.change(object, before, rung));
         Ok(Followed {
             rung,
@@ -104,7 +105,7 @@ impl Planner<'_> {
     }
 
     fn change(&self, object: usize, one: usize, other: usize) -> Result<f64, PlanError> {
-        let [one, other] = [one, other].map(|rung| self.models.get(self.material[object], rung));
+        let [one, other] = [one, other].map(|rung| self.model(object, rung));
         Ok(self.judge.between(object, one?.brdf.as_ref(), other?.brdf.as_ref()))
     }
 }

@@ -107,7 +107,7 @@ impl<'a> Judge<'a> {
     /// Whether FLIP of one object sees the pixels of another.
     pub fn touch(&self, object: usize, other: usize) -> bool {
         let width = self.reference.width();
-        self.seat(other).pixels.iter().any(|&pixel| self.seat(object).crop.place(pixel, width).is_some())
+        self.view.demands()[other].pixels().any(|pixel| self.seat(object).crop.place(pixel, width).is_some())
     }
 
     /// The part of the picture around an object, of this model.

@@ -1,14 +1,14 @@
-//! The walk up the ladder, object by object.
+//! A model for every object: walk, time, choose, look at the whole, walk again where neighbours spoil it.
 
 use std::collections::BTreeSet;
 use std::sync::{Arc, Mutex, PoisonError};
 
 use super::bench::Bench;
-use super::choose::{Candidate, Seat, choose, total_bytes};
+use super::choose::{Candidate, Seat, choose};
 use super::judge::Judge;
 use super::models::Models;
 use super::{Choice, Model, Options, Plan, PlanError, Rung, Watch};
-use crate::scene::{Demand, View};
+use crate::scene::View;
 use crate::{Brdf, Image};
 
 /// Finds plans of one view; errors that were found once are kept, so that another tolerance costs little.
@@ -31,30 +31,22 @@ pub(super) struct Known {
     pub error: Option<f64>,
 }
 
-/// What a scene costs.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Totals {
-    /// Evaluations of a picture.
-    pub evaluations: usize,
-    /// Nanoseconds of all evaluations, one thread.
-    pub ns: f64,
-    /// Bytes of all models, what is shared counted once.
-    pub bytes: usize,
-}
-
 /// What one object can choose from.
 pub(super) struct Found {
-    /// Rungs within the tolerance.
+    /// Rungs within the tolerance; the material itself always is.
     pub within: Vec<usize>,
-    /// The closest of the others.
-    pub closest: Option<(usize, f64)>,
+    /// The closest of those that are not, where only the material itself is.
+    pub closest: Option<usize>,
 }
+
+/// Object and rung.
+type Key = (usize, usize);
 
 impl<'a> Planner<'a> {
     /// Of a view whose objects are of these materials, by their places.
     ///
     /// # Errors
-    /// [`PlanError::Encode`]: a material that cannot be evaluated.
+    /// [`PlanError::Encode`]: a material that cannot be used at all.
     ///
     /// # Panics
     /// If the ladder has no rung for the materials themselves (a bug of the caller).
@@ -65,6 +57,9 @@ impl<'a> Planner<'a> {
         let itself =
             models.ladder.iter().position(|kind| kind.is_itself).expect("the materials themselves on the ladder");
         let planner = Self { judge, models, material, itself, bench: Bench::default(), errors };
+        for object in 0..material.len() {
+            planner.keep(object, itself, Known { estimate: None, error: Some(0.0) });
+        }
         planner.time(&(0..material.len()).map(|object| (object, itself)).collect::<Vec<_>>())?;
         Ok(planner)
     }
@@ -87,12 +82,13 @@ impl<'a> Planner<'a> {
     /// A model for every object.
     ///
     /// # Errors
-    /// [`PlanError`]: cancelled, or a material that cannot be encoded.
+    /// [`PlanError`]: cancelled, or a material that cannot be used at all.
     pub fn plan(&self, options: Options, watch: &Watch) -> Result<Plan, PlanError> {
         let mut refused = BTreeSet::new();
         loop {
             let found = self.walk(options, &refused, watch)?;
-            let seats = self.seats(&found)?;
+            let beside = self.beside(options, watch)?;
+            let seats = self.seats(&found, &beside, refused.is_empty())?;
             let chosen: Vec<usize> =
                 choose(&seats, options.by).into_iter().zip(&found).map(|(i, found)| found.within[i]).collect();
             let models = self.chosen_models(&chosen)?;
@@ -103,77 +99,99 @@ impl<'a> Planner<'a> {
             let before = refused.len();
             refused.extend(over.filter_map(|object| self.to_refuse(object, &chosen, &errors)));
             if refused.len() == before {
-                return self.finished(&found, &chosen, &errors, planned);
+                return self.finished(&found, &chosen, &errors, planned, &beside);
             }
         }
     }
 
     /// The model to give up where an object is over the tolerance: its own, or where that is the material itself, that of the
     /// worst other.
-    fn to_refuse(&self, object: usize, chosen: &[usize], errors: &[f64]) -> Option<(usize, usize)> {
-        let is_model = |&other: &usize| self.known(other, chosen[other]).error != Some(0.0);
+    fn to_refuse(&self, object: usize, chosen: &[usize], errors: &[f64]) -> Option<Key> {
+        let is_model = |&other: &usize| chosen[other] != self.itself;
         let own = Some(object).filter(is_model);
         let others = || (0..errors.len()).filter(is_model).filter(|&other| self.judge.touch(object, other));
         let worst = own.or_else(|| others().max_by(|&a, &b| errors[a].total_cmp(&errors[b])))?;
         Some((worst, chosen[worst]))
     }
 
-    fn finished(&self, found: &[Found], chosen: &[usize], errors: &[f64], planned: Image) -> Result<Plan, PlanError> {
+    /// What the plan is compared with, object by object; nothing where a material has no such model.
+    fn beside(&self, options: Options, watch: &Watch) -> Result<Vec<Key>, PlanError> {
+        let Some(rung) = options.beside else { return Ok(Vec::new()) };
+        for &material in self.material {
+            if (watch.cancelled)() {
+                return Err(PlanError::Cancelled);
+            }
+            if self.models.get(material, rung).is_err() {
+                return Ok(Vec::new());
+            }
+        }
+        Ok((0..self.material.len()).map(|object| (object, rung)).collect())
+    }
+
+    fn finished(
+        &self,
+        found: &[Found],
+        chosen: &[usize],
+        errors: &[f64],
+        planned: Image,
+        beside: &[Key],
+    ) -> Result<Plan, PlanError> {
+        let candidates = |keys: &mut dyn Iterator<Item = Key>| {
+            keys.map(|(object, rung)| self.candidate(object, rung)).collect::<Result<Vec<_>, PlanError>>()
+        };
+        let own = candidates(&mut chosen.iter().copied().enumerate())?;
+        let others = candidates(&mut beside.iter().copied())?;
         let choice = |object: usize| {
-            let rung = chosen[object];
-            let candidate = self.candidate(object, rung)?;
-            let is_itself = self.known(object, rung).error == Some(0.0);
-            let unmet = found[object].closest.filter(|_| is_itself);
-            Ok(Choice { rung, error: errors[object], ns: candidate.ns, bytes: candidate.bytes, unmet })
+            let (rung, Candidate { ns, bytes, .. }) = (chosen[object], own[object]);
+            let unmet = found[object].closest.map(|rung| Ok((rung, self.error(object, rung)?))).transpose();
+            let beside = others.get(object).map(|other| (other.ns, other.bytes));
+            Ok(Choice { rung, error: errors[object], ns, bytes, unmet: unmet?, beside })
         };
         Ok(Plan {
             choices: (0..chosen.len()).map(choice).collect::<Result<_, PlanError>>()?,
             reference: self.judge.reference().clone(),
             planned,
-            totals: self.totals(chosen)?,
+            totals: self.totals(&own),
+            beside: (!others.is_empty()).then(|| self.totals(&others)),
             tried: self.models.count(),
         })
     }
 
-    /// What the scene costs with one kind of model for everything.
-    ///
-    /// # Errors
-    /// [`PlanError::Encode`]: a material that has no such model.
-    pub fn everywhere(&self, rung: usize) -> Result<Totals, PlanError> {
-        self.totals(&vec![rung; self.material.len()])
-    }
-
-    fn totals(&self, chosen: &[usize]) -> Result<Totals, PlanError> {
-        self.time(&chosen.iter().copied().enumerate().collect::<Vec<_>>())?;
-        let own = (0..chosen.len()).map(|object| self.candidate(object, chosen[object]));
-        let own = own.collect::<Result<Vec<_>, PlanError>>()?;
-        let counts = self.view().demands().iter().map(Demand::evaluations);
-        Ok(Totals {
-            evaluations: counts.clone().sum(),
-            ns: counts.zip(&own).map(|(count, own)| count as f64 * own.ns).sum(),
-            bytes: total_bytes(self.material.iter().copied().zip(&own)),
-        })
+    /// The error of a model in the picture, looked at now if it was only estimated.
+    fn error(&self, object: usize, rung: usize) -> Result<f64, PlanError> {
+        let known = self.known(object, rung);
+        if let Some(error) = known.error {
+            return Ok(error);
+        }
+        let model = self.model(object, rung)?;
+        let error = self.judge.error(object, model.brdf.as_ref());
+        self.keep(object, rung, Known { error: Some(error), ..known });
+        Ok(error)
     }
 
     /// What an object's model costs, once it was timed.
     pub(super) fn candidate(&self, object: usize, rung: usize) -> Result<Candidate, PlanError> {
-        let material = self.material[object];
         let kind = &self.models.ladder[rung];
         let shares = |other: &Rung, name: &String| other.shared.as_ref().is_some_and(|(own, _)| own == name);
         let number = |name: &String| self.models.ladder.iter().position(|other| shares(other, name)).unwrap_or(rung);
         Ok(Candidate {
             rung,
-            ns: self.bench.ns((object, rung)).unwrap_or(kind.ns),
-            bytes: self.models.get(material, rung)?.bytes,
+            ns: self.bench_ns(object, rung).unwrap_or(kind.ns),
+            bytes: self.model(object, rung)?.bytes,
             shared: kind.shared.as_ref().map(|(name, bytes)| (number(name), *bytes)),
         })
     }
 
-    /// What all objects can choose from, timed.
-    fn seats(&self, found: &[Found]) -> Result<Vec<Seat>, PlanError> {
+    /// What all objects can choose from, and what the plan is compared with, timed in one run.
+    fn seats(&self, found: &[Found], beside: &[Key], anew: bool) -> Result<Vec<Seat>, PlanError> {
         let within = |(object, found): (usize, &Found)| found.within.iter().map(move |&rung| (object, rung)).collect();
-        let keys: Vec<(usize, usize)> = found.iter().enumerate().flat_map(|own| -> Vec<_> { within(own) }).collect();
-        self.time(&keys)?;
+        let mut keys: Vec<Key> = found.iter().enumerate().flat_map(|own| -> Vec<_> { within(own) }).collect();
+        keys.extend(beside);
+        if anew {
+            self.time_anew(&keys)?
+        } else {
+            self.time(&keys)?
+        }
         let seat = |(object, found): (usize, &Found)| {
             let candidates = found.within.iter().map(|&rung| self.candidate(object, rung));
             Ok(Seat { material: self.material[object], candidates: candidates.collect::<Result<_, PlanError>>()? })
@@ -181,23 +199,37 @@ impl<'a> Planner<'a> {
         found.iter().enumerate().map(seat).collect()
     }
 
-    /// Times models, given as object and rung.
-    pub(super) fn time(&self, keys: &[(usize, usize)]) -> Result<(), PlanError> {
-        let model = |&(object, rung): &(usize, usize)| self.models.get(self.material[object], rung);
-        let models = keys.iter().map(|key| Ok((*key, model(key)?))).collect::<Result<Vec<_>, PlanError>>()?;
+    /// Times models that were not timed yet.
+    pub(super) fn time(&self, keys: &[Key]) -> Result<(), PlanError> {
+        let models = self.keyed(keys)?;
+        let models: Vec<_> = models.iter().map(|(key, model)| (*key, model.brdf.as_ref())).collect();
+        self.bench.measure_new(&models, self.view().demands());
+        Ok(())
+    }
+
+    fn time_anew(&self, keys: &[Key]) -> Result<(), PlanError> {
+        let models = self.keyed(keys)?;
         let models: Vec<_> = models.iter().map(|(key, model)| (*key, model.brdf.as_ref())).collect();
         self.bench.measure(&models, self.view().demands());
         Ok(())
     }
 
     /// Takes over how long another one's models have taken, so that two plans differ in nothing but what they tried.
-    pub fn learn_times(&self, other: &Self) {
-        self.bench.learn(&other.bench);
+    pub fn take_times(&self, other: &Self) {
+        self.bench.take(&other.bench);
     }
 
-    pub(super) fn chosen_models(&self, chosen: &[usize]) -> Result<Vec<Arc<Model>>, PlanError> {
-        let own = self.material.iter().zip(chosen).map(|(&material, &rung)| Ok(self.models.get(material, rung)?));
-        own.collect()
+    fn keyed(&self, keys: &[Key]) -> Result<Vec<(Key, Arc<Model>)>, PlanError> {
+        keys.iter().map(|&(object, rung)| Ok(((object, rung), self.model(object, rung)?))).collect()
+    }
+
+    /// The model of an object on a rung.
+    pub(super) fn model(&self, object: usize, rung: usize) -> Result<Arc<Model>, PlanError> {
+        self.models.get(self.material[object], rung).map_err(PlanError::Encode)
+    }
+
+    fn chosen_models(&self, chosen: &[usize]) -> Result<Vec<Arc<Model>>, PlanError> {
+        chosen.iter().enumerate().map(|(object, &rung)| self.model(object, rung)).collect()
     }
 
     pub(super) fn bench_ns(&self, object: usize, rung: usize) -> Option<f64> {

@@ -87,7 +87,7 @@ fn ladder() -> Vec<Rung> {
 }
 
 fn options(tolerance: f64) -> Options {
-    Options { tolerance, by: By::Time, exhaustive: false }
+    Options { tolerance, by: By::Time, exhaustive: false, beside: Some(3) }
 }
 
 fn names<'a>(ladder: &'a [Rung], plan: &Plan) -> Vec<&'a str> {
@@ -103,7 +103,7 @@ fn matte_objects_take_fewer_numbers_than_shiny_ones() {
     assert_eq!(names(&ladder, &close), ["half"; 3], "as fast as the networks, and half of their bytes");
     let plan = planner.plan(options(0.2), &QUIET).unwrap();
     assert_eq!(names(&ladder, &plan)[..2], ["lambert_ward", "lambert"]);
-    let everywhere = planner.everywhere(3).unwrap();
+    let everywhere = plan.beside.unwrap();
     assert_eq!(everywhere.bytes, 2 * 2700, "two materials, three objects");
     assert!(plan.totals.ns < everywhere.ns && plan.totals.bytes < everywhere.bytes);
 }
@@ -137,9 +137,9 @@ fn the_walk_chooses_as_somebody_who_tries_everything() {
     let planner = Planner::new(&view, &some, &MATERIAL).unwrap();
     for (tolerance, by) in [(0.04, By::Time), (0.2, By::Time), (0.04, By::Bytes), (0.2, By::Bytes)] {
         let options = Options { by, ..options(tolerance) };
-        let exhaustive = everything.plan(Options { exhaustive: true, ..options }, &QUIET).unwrap();
-        planner.learn_times(&everything);
         let plan = planner.plan(options, &QUIET).unwrap();
+        everything.take_times(&planner);
+        let exhaustive = everything.plan(Options { exhaustive: true, ..options }, &QUIET).unwrap();
         assert_eq!(names(&ladder, &plan), names(&ladder, &exhaustive), "{tolerance} {by:?}");
     }
     assert!(some.count() <= all.count());
@@ -172,6 +172,48 @@ fn a_model_that_many_share_is_tried_only_where_it_can_pay() {
         assert_eq!(names(&ladder, &plan), [expected; 3], "{shared}");
         assert_eq!(plan.totals.bytes, if expected == "code" { 2 * 128 + 100 } else { 2 * 1350 });
     }
+}
+
+#[test]
+fn the_error_of_one_object_is_that_of_the_whole_picture() {
+    let (view, materials) = (view(&scene()), materials());
+    let own: Vec<&dyn Brdf> = MATERIAL.iter().map(|&place| materials[place].brdf.as_ref()).collect();
+    let judge = judge::Judge::new(&view, &own);
+    for object in 0..3 {
+        let other = crate::brdf::lambert::Lambert { albedo: crate::Rgb([0.5, 0.4, 0.1]) };
+        let mut models = own.clone();
+        models[object] = &other;
+        let (alone, together) = (judge.error(object, &other), judge.together(&models).1[object]);
+        assert!((alone - together).abs() < 1e-5 && alone > 0.05, "{alone} {together}");
+        assert_eq!(judge.error(object, own[object]), 0.0);
+        assert!((judge.between(object, own[object], &other) - alone).abs() < 1e-9);
+    }
+}
+
+#[test]
+fn a_material_that_a_kind_of_model_cannot_hold_is_served_by_others() {
+    let (view, materials, mut ladder) = (view(&scene()), materials(), ladder());
+    ladder[0].make = Box::new(|material| Err(EncodeError::NotFinite { material: material.name.clone() }));
+    let models = Models::new(&materials, &ladder);
+    let planner = Planner::new(&view, &models, &MATERIAL).unwrap();
+    let with = |beside| planner.plan(Options { beside: Some(beside), ..options(1.0) }, &QUIET).unwrap();
+    assert_eq!(names(&ladder, &with(3)), ["lambert_ward"; 3]);
+    assert!(with(0).beside.is_none());
+}
+
+#[test]
+fn light_beyond_all_numbers_is_still_planned() {
+    let (view, materials, ladder) = (view(&scene()), materials(), ladder());
+    let blinding =
+        Material::new("blinding", Arc::new(crate::brdf::lambert::Lambert { albedo: crate::Rgb::splat(3e38) }));
+    let materials = [blinding, materials[1].clone()];
+    let mut ladder = ladder;
+    ladder[3].make = Box::new(|material| Ok(Model { brdf: material.brdf.clone(), bytes: 12, kept: Kept::Itself }));
+    ladder.remove(2);
+    let models = Models::new(&materials, &ladder);
+    let planner = Planner::new(&view, &models, &MATERIAL).unwrap();
+    let plan = planner.plan(Options { beside: None, ..options(1e-6) }, &QUIET).unwrap();
+    assert!(plan.choices.iter().all(|choice| choice.error <= 1e-6), "{:?}", plan.choices);
 }
 
 #[test]

@@ -76,7 +76,7 @@ impl Demand {
                         sum[channel] += f64::from(value[channel]) * f64::from(weight[channel]);
                     }
                 }
-                *out = Rgb(sum.map(|sum| sum as f32));
+                *out = Rgb(sum.map(|sum| sum.min(f64::from(f32::MAX)) as f32));
                 from = end;
             }
         });

@@ -1,66 +1,72 @@
 //! From the keys of a scene's file and of those it includes to what they mean.
 
 use std::collections::BTreeSet;
-use std::path::{Path, PathBuf};
-use std::sync::Arc;
+use std::path::Path;
 
-use super::keys::{
-    CameraKeys, ImageKeys, LightKeys, MeshKeys, ObjectKeys, PlaneKeys, RectangleKeys, SceneFile, SphereKeys,
-};
+use super::include::Read;
+use super::keys::{CameraKeys, ImageKeys, LightKeys, MeshKeys, ObjectKeys, PlaneKeys, RectangleKeys, SphereKeys};
+use super::obj::Meshes;
 use super::value::{LARGEST, SMALLEST, bright, place, rectangle, unit, within};
 use super::{
     Camera, Lamp, MAX_OBJECTS, MAX_PAIRS, MAX_SIDE, Object, Picture, Scene, SceneError, SceneProblem, Shape, include,
-    obj,
 };
 use crate::render::Environment;
 
 /// See [`Scene::load`].
 pub(super) fn load(path: &Path) -> Result<Scene, SceneError> {
     let files = include::read(path)?;
-    let of = |problem: SceneProblem| problem.of(path);
-    let missing = |what: &str| of(SceneProblem::value(what, "it in this file or an included one", "none"));
+    count(path, &files)?;
+    let missing = |what: &str| SceneProblem::value(what, "it in this file or an included one", "none").of(path);
     // The file that includes has the last word.
-    let last =
-        |files: &[(PathBuf, SceneFile)], has: &dyn Fn(&SceneFile) -> bool| files.iter().rposition(|(_, f)| has(f));
-    let image = last(&files, &|file| file.image.is_some()).and_then(|i| files[i].1.image.as_ref());
-    let camera = last(&files, &|file| file.camera.is_some()).and_then(|i| files[i].1.camera.as_ref());
-    let picture = picture(image.ok_or_else(|| missing("[image]"))?).map_err(of)?;
-    let camera = seen_from(camera.ok_or_else(|| missing("[camera]"))?).map_err(of)?;
-    let tolerance = files.iter().rev().find_map(|(_, file)| file.tolerance);
-    let tolerance = tolerance.map(|t| within("tolerance", t, f64::MIN_POSITIVE, 1.0)).transpose().map_err(of)?;
-    let mut scene = Scene { picture, tolerance, camera, lamps: Vec::new(), objects: Vec::new() };
-    for (folder, file) in &files {
-        for light in &file.light {
-            let place = format!("light {}", scene.lamps.len() + 1);
-            scene.lamps.push(lamp(light, folder, &place).map_err(of)?);
+    let image = files.iter().rev().find_map(|file| Some((file, file.keys.image.as_ref()?)));
+    let (file, image) = image.ok_or_else(|| missing("[image]"))?;
+    let picture = picture(image).map_err(|problem| problem.of(&file.path))?;
+    let camera = files.iter().rev().find_map(|file| Some((file, file.keys.camera.as_ref()?)));
+    let (file, camera) = camera.ok_or_else(|| missing("[camera]"))?;
+    let camera = seen_from(camera).map_err(|problem| problem.of(&file.path))?;
+    let tolerance = files.iter().rev().find_map(|file| Some((file, file.keys.tolerance?)));
+    let tolerance = tolerance.map(|(file, value)| {
+        within("tolerance", value, f64::MIN_POSITIVE, 1.0).map_err(|problem| problem.of(&file.path))
+    });
+    let mut scene =
+        Scene { picture, tolerance: tolerance.transpose()?, camera, lamps: Vec::new(), objects: Vec::new() };
+    let mut meshes = Meshes::default();
+    for Read { path, keys } in &files {
+        let folder = path.parent().unwrap_or_else(|| Path::new(""));
+        for (index, light) in keys.light.iter().enumerate() {
+            let place = format!("light {}", index + 1);
+            scene.lamps.push(lamp(light, folder, &place).map_err(|problem| problem.of(path))?);
         }
-        for keys in &file.object {
-            let place = format!("object {}", scene.objects.len() + 1);
-            scene.objects.push(object(keys, folder, &place, path)?);
+        for (index, keys) in keys.object.iter().enumerate() {
+            scene.objects.push(object(keys, folder, &format!("object {}", index + 1), path, &mut meshes)?);
         }
     }
-    check(&scene).map_err(of)?;
+    check(&scene).map_err(|problem| problem.of(path))?;
     Ok(scene)
+}
+
+/// Refuses too many of anything, before anything that they name is read.
+fn count(path: &Path, files: &[Read]) -> Result<(), SceneError> {
+    let lights = || files.iter().flat_map(|file| &file.keys.light);
+    let objects: usize = files.iter().map(|file| file.keys.object.len()).sum();
+    for (what, count) in [("object", objects), ("light", lights().count())] {
+        if count == 0 || count > MAX_OBJECTS {
+            let most = format!("1 to {MAX_OBJECTS} of them");
+            return Err(SceneProblem::value(format!("[[{what}]]"), most, count).of(path));
+        }
+    }
+    match lights().filter(|light| matches!(light, LightKeys::Environment { .. })).count() {
+        0 | 1 => Ok(()),
+        maps => Err(SceneProblem::value("[[light]]", "one environment at most", maps).of(path)),
+    }
 }
 
 /// What only the whole shows.
 fn check(scene: &Scene) -> Result<(), SceneProblem> {
-    for (what, count) in [("object", scene.objects.len()), ("light", scene.lamps.len())] {
-        if count == 0 || count > MAX_OBJECTS {
-            return Err(SceneProblem::value(format!("[[{what}]]"), format!("1 to {MAX_OBJECTS} of them"), count));
-        }
-    }
-    let maps = scene.lamps.iter().filter(|lamp| matches!(lamp, Lamp::Environment { .. })).count();
-    if maps > 1 {
-        return Err(SceneProblem::value("[[light]]", "one environment at most", maps));
-    }
     let mut names = BTreeSet::new();
     if let Some(twice) = scene.objects.iter().find(|object| !names.insert(&object.name)) {
-        return Err(SceneProblem::value(
-            "[[object]]",
-            "a name of its own for every one",
-            format!("'{}' twice", twice.name),
-        ));
+        let found = format!("'{}' twice", twice.name);
+        return Err(SceneProblem::value("[[object]]", "a name of its own for every one", found));
     }
     let Picture { width, height, samples, .. } = scene.picture;
     // A direction drawn from every light, and one from the material.
@@ -124,7 +130,13 @@ fn lamp(keys: &LightKeys, folder: &Path, name: &str) -> Result<Lamp, SceneProble
     })
 }
 
-fn object(keys: &ObjectKeys, folder: &Path, number: &str, path: &Path) -> Result<Object, SceneError> {
+fn object(
+    keys: &ObjectKeys,
+    folder: &Path,
+    number: &str,
+    path: &Path,
+    meshes: &mut Meshes,
+) -> Result<Object, SceneError> {
     let of = |problem: SceneProblem| problem.of(path);
     let name = keys.name.clone().unwrap_or_else(|| keys.material.clone());
     if name.is_empty() || name.len() > 128 || name.chars().any(char::is_control) {
@@ -147,7 +159,7 @@ fn object(keys: &ObjectKeys, folder: &Path, number: &str, path: &Path) -> Result
         (None, None, None, Some(MeshKeys { file, scale, at })) => {
             let scale = within(&format!("{number}, mesh.scale"), *scale, SMALLEST, LARGEST).map_err(of)?;
             let at = place(&format!("{number}, mesh.at"), *at).map_err(of)?;
-            Shape::Mesh(Arc::new(obj::load(&folder.join(file), scale, at)?))
+            Shape::Mesh(meshes.load(&folder.join(file), scale, at)?)
         }
         _ => return Err(of(SceneProblem::value(number, "one of sphere, plane, rectangle, mesh", "none or several"))),
     };

@@ -119,12 +119,14 @@ impl std::fmt::Debug for Mesh {
     }
 }
 
-/// Whether a box is entered before `limit`. A ray within the plane of a face divides 0 by 0: `min` and `max` then keep
-/// the other number, and the box counts as crossed.
+/// Whether a box is entered before `limit`. A ray within the plane of a face divides 0 by 0: along that axis it is within.
 fn is_crossed(bounds: &Aabb<f64, 3>, origin: DVec3, inverse: DVec3, limit: f64) -> bool {
     let (a, b) = ((vector(&bounds.min) - origin) * inverse, (vector(&bounds.max) - origin) * inverse);
     let mut range = (0.0_f64, limit);
     for axis in 0..3 {
+        if a[axis].is_nan() || b[axis].is_nan() {
+            continue;
+        }
         range = (range.0.max(a[axis].min(b[axis])), range.1.min(a[axis].max(b[axis])));
     }
     range.0 <= range.1

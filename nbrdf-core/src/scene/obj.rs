@@ -1,7 +1,8 @@
 //! Meshes in Wavefront OBJ files: positions, faces, and normals where there are some.
 
 use std::io::BufReader;
-use std::path::Path;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 use glam::DVec3;
 use tobj::{LoadError, LoadOptions};
@@ -11,38 +12,102 @@ use super::{SceneError, SceneProblem};
 use crate::bounded;
 
 /// Largest file \[bytes\].
-const MAX_BYTES: u64 = 256 << 20;
-/// Most triangles.
-const MAX_TRIANGLES: usize = 4 << 20;
-/// Largest coordinate: beyond, areas and volumes leave f64.
+const MAX_BYTES: u64 = 128 << 20;
+/// Most triangles of a scene.
+const MAX_TRIANGLES: usize = 1 << 20;
+/// Largest coordinate.
 const LARGEST: f64 = 1e9;
 
-/// Reads all objects of a file as one mesh, scaled and moved. Corners without normals get the mean of those of the
-/// faces around them.
-pub(super) fn load(path: &Path, scale: f64, at: DVec3) -> Result<Mesh, SceneError> {
-    let of = |problem: SceneProblem| problem.of(path);
-    let bytes = bounded::read(path, MAX_BYTES).map_err(|error| of(error.into()))?;
-    let bytes = bytes.ok_or_else(|| of(SceneProblem::mesh("at most 256 MB", "a longer file")))?;
-    let options = LoadOptions { triangulate: true, ignore_points: true, ignore_lines: true, ..LoadOptions::default() };
-    // Colours and textures mean nothing here: the material is named by the scene.
-    let no_materials = |_: &Path| Err(LoadError::GenericFailure);
-    let (models, _) = tobj::load_obj_buf(&mut BufReader::new(&bytes[..]), &options, no_materials)
-        .map_err(|error| of(SceneProblem::mesh("an OBJ file", error)))?;
-    let count: usize = models.iter().map(|model| model.mesh.indices.len() / 3).sum();
-    if count == 0 || count > MAX_TRIANGLES {
-        return Err(of(SceneProblem::mesh(format!("1 to {MAX_TRIANGLES} triangles"), count)));
+/// The meshes of a scene, each read once.
+#[derive(Default)]
+pub(super) struct Meshes {
+    known: Vec<(PathBuf, f64, DVec3, Arc<Mesh>)>,
+    triangles: usize,
+}
+
+impl Meshes {
+    /// Reads all objects of a file as one mesh, scaled and moved. Corners have the file's normals where all of them have
+    /// one, else the mean of those of the faces around them, by area.
+    pub fn load(&mut self, path: &Path, scale: f64, at: DVec3) -> Result<Arc<Mesh>, SceneError> {
+        let of = |problem: SceneProblem| problem.of(path);
+        let real = path.canonicalize().unwrap_or_else(|_| path.to_owned());
+        let same = |known: &&(PathBuf, f64, DVec3, Arc<Mesh>)| known.0 == real && known.1 == scale && known.2 == at;
+        if let Some((.., mesh)) = self.known.iter().find(same) {
+            return Ok(Arc::clone(mesh));
+        }
+        let bytes = bounded::read(path, MAX_BYTES).map_err(|error| of(error.into()))?;
+        let bytes = bytes.ok_or_else(|| of(SceneProblem::mesh(format!("at most {MAX_BYTES} bytes"), "more")))?;
+        let lines = surface(&bytes);
+        let faces = lines.split(|byte| *byte == b'\n').filter(|line| line.starts_with(b"f ")).count();
+        self.triangles += faces;
+        if faces == 0 || self.triangles > MAX_TRIANGLES {
+            let most = format!("1 to {MAX_TRIANGLES} faces in a scene");
+            return Err(of(SceneProblem::mesh(most, self.triangles)));
+        }
+        let mesh = Arc::new(parse(&lines, scale, at).map_err(of)?);
+        self.triangles += mesh.len().saturating_sub(faces);
+        self.known.push((real, scale, at, Arc::clone(&mesh)));
+        Ok(mesh)
     }
-    let mut triangles = Vec::with_capacity(count);
+}
+
+/// The lines that tell a surface: the rest (groups, textures, colours) would split it. Normals are left out where a face
+/// has none: the reader would make some up.
+fn surface(bytes: &[u8]) -> Vec<u8> {
+    let lines = || bytes.split(|byte| *byte == b'\n').map(words);
+    let are_whole =
+        lines().filter(|(kind, _)| *kind == b"f").all(|(_, mut corners)| corners.all(|c| !normal(c).is_empty()));
+    let mut kept = Vec::new();
+    for (kind, words) in lines() {
+        if !(kind == b"f" || kind == b"v" || (are_whole && kind == b"vn")) {
+            continue;
+        }
+        kept.extend(kind);
+        for word in words {
+            kept.push(b' ');
+            match (kind == b"f", are_whole) {
+                (true, true) => kept.extend([position(word), b"//", normal(word)].concat()),
+                (true, false) => kept.extend(position(word)),
+                _ => kept.extend(word),
+            }
+        }
+        kept.push(b'\n');
+    }
+    kept
+}
+
+/// A line's first word, and the others.
+fn words(line: &[u8]) -> (&[u8], impl Iterator<Item = &[u8]>) {
+    let mut words = line.split(u8::is_ascii_whitespace).filter(|word| !word.is_empty());
+    (words.next().unwrap_or_default(), words)
+}
+
+/// Of a corner `position/texture/normal`, of which all but the first may be left out.
+fn position(corner: &[u8]) -> &[u8] {
+    corner.split(|byte| *byte == b'/').next().unwrap_or_default()
+}
+
+fn normal(corner: &[u8]) -> &[u8] {
+    corner.split(|byte| *byte == b'/').nth(2).unwrap_or_default()
+}
+
+fn parse(lines: &[u8], scale: f64, at: DVec3) -> Result<Mesh, SceneProblem> {
+    let options = LoadOptions { triangulate: true, ignore_points: true, ignore_lines: true, ..LoadOptions::default() };
+    let no_materials = |_: &Path| Err(LoadError::GenericFailure);
+    let (models, _) = tobj::load_obj_buf(&mut BufReader::new(lines), &options, no_materials)
+        .map_err(|error| SceneProblem::mesh("an OBJ file", error))?;
+    let mut triangles = Vec::new();
     for model in &models {
         triangles.extend(placed(&model.mesh, scale, at).ok_or_else(|| {
-            of(SceneProblem::mesh(format!("corners within {LARGEST:e}, with as many normals"), "others"))
+            SceneProblem::mesh(format!("corners within {LARGEST:e}, with as many normals"), "others")
         })?);
     }
     // What has no area is never hit.
     triangles.retain(|triangle| area(&triangle.corners).length_squared() > 0.0);
-    match triangles.is_empty() {
-        true => Err(of(SceneProblem::mesh("triangles with an area", "none"))),
-        false => Ok(Mesh::new(triangles)),
+    match triangles.len() {
+        0 => Err(SceneProblem::mesh("triangles with an area", "none")),
+        1..=MAX_TRIANGLES => Ok(Mesh::new(triangles)),
+        count => Err(SceneProblem::mesh(format!("at most {MAX_TRIANGLES} triangles"), count)),
     }
 }
 

@@ -22,7 +22,7 @@ pub struct Hit {
     pub geometric: DVec3,
 }
 
-/// How far off a surface a ray starts, in sizes of the numbers that its place is made of.
+/// How far off a surface a ray starts, in sizes of the numbers that its place is made of; units do not matter.
 const OFF: f64 = 1e-7;
 
 impl Ray {
@@ -31,10 +31,11 @@ impl Ray {
         self.origin + distance * self.direction
     }
 
-    /// A ray that leaves a surface: it starts a little above, so as not to meet it again.
-    pub fn leaving(place: DVec3, geometric: DVec3, direction: DVec3) -> Self {
-        let side = if geometric.dot(direction) < 0.0 { -geometric } else { geometric };
-        Self { origin: place + side * (OFF * (1.0 + place.abs().max_element())), direction }
+    /// A ray that leaves where this one has hit: it starts a little above, so as not to meet the same surface again.
+    pub fn leaving(&self, hit: &Hit, direction: DVec3) -> Self {
+        let place = self.at(hit.distance);
+        let side = if hit.geometric.dot(direction) < 0.0 { -hit.geometric } else { hit.geometric };
+        Self { origin: place + side * (OFF * (hit.distance + place.abs().max_element())), direction }
     }
 }
 

@@ -3,7 +3,7 @@ use std::fs;
 use glam::DVec3;
 
 use super::*;
-use crate::brdf::lambert::Lambert;
+use crate::brdf::{ggx::Ggx, lambert::Lambert};
 use crate::render::{Light, Sphere};
 use crate::sampler::lobe::Lobe;
 use crate::{Brdf, Image, Rgb};
@@ -84,11 +84,11 @@ fn what_is_no_scene_is_told_with_place_and_remedy() {
 fn a_mesh_that_leads_nowhere_is_told() {
     let main = format!("{HEAD}{LAMP}[[object]]\nmaterial = \"chrome\"\nmesh = {{ file = \"m.obj\" }}\n");
     let cases = [
-        ("", "1 to 4194304 triangles, found 0"),
+        ("", "1 to 1048576 faces in a scene, found 0"),
         ("v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n", "triangles with an area, found none"),
         ("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n", "an OBJ file, found face vertex index out of bounds"),
         ("v 0 0 0\nv 1e30 0 0\nv 0 1 0\nf 1 2 3\n", "corners within 1e9"),
-        ("v 0 0 x\n", "an OBJ file, found position parse error"),
+        ("v 0 0 x\nf 1 1 1\n", "an OBJ file, found position parse error"),
     ];
     for (text, expected) in cases {
         let error = scene(&[("main.toml", &main), ("m.obj", text)]).unwrap_err().to_string();
@@ -174,6 +174,67 @@ fn a_mesh_of_a_box_is_hit_where_the_box_is() {
     assert_eq!(hit(1.01, 0.0), None);
     let Shape::Mesh(mesh) = &scene.objects[0].shape else { panic!("a mesh") };
     assert_eq!((mesh.len(), mesh.centre()), (12, DVec3::ZERO));
+}
+
+#[test]
+fn corners_have_the_normals_of_the_file_where_all_have_one_and_else_the_mean_of_the_faces_around() {
+    let main = format!("{HEAD}{LAMP}[[object]]\nmaterial = \"a\"\nmesh = {{ file = \"m.obj\" }}\n");
+    let corners = "v -1 -1 0\nv 1 -1 0\nv 0 1 0\nvn 0 0.6 0.8\nvn 1 0 0\nvt 0 0\n";
+    let normal = |faces: &str| {
+        let scene = scene(&[("main.toml", &main), ("m.obj", &format!("{corners}g one\n{faces}"))]).unwrap();
+        let ray = Ray { origin: DVec3::new(0.0, 0.0, 5.0), direction: DVec3::NEG_Z };
+        scene.hit(&ray).unwrap().1.normal
+    };
+    let given = DVec3::new(0.0, 0.6, 0.8);
+    assert!(normal("f 1//1 2//1 3//1\n").distance(given) < 1e-6);
+    assert!(normal("f\t1/1/1 2/1/1 3/1/1\r\n").distance(given) < 1e-6);
+    assert!(normal("f 1 2 3\n").distance(DVec3::Z) < 1e-9);
+    assert!(normal("f 1//2 2//2 3//2\nv 9 9 9\nv 8 9 9\nv 9 8 9\ng two\nf 4 5 6\n").distance(DVec3::Z) < 1e-9);
+}
+
+#[test]
+fn a_file_that_two_others_include_counts_once_and_its_mistakes_are_its_own() {
+    let both = format!("include = [\"a.toml\", \"b.toml\"]\n{HEAD}{BALL}");
+    let read = |light: &str| {
+        let include = "include = [\"light.toml\"]\n";
+        scene(&[("main.toml", &both), ("a.toml", include), ("b.toml", include), ("light.toml", light)])
+    };
+    assert_eq!(read(LAMP).unwrap().lamps.len(), 1);
+    let error = read(&LAMP.replace("50, 50", "-5, 50")).unwrap_err().to_string();
+    assert!(error.contains("light.toml: light 1, intensity"), "{error}");
+}
+
+#[test]
+fn an_area_light_shines_on_one_side_and_is_seen_there() {
+    let with = |v: &str| {
+        let light =
+            format!("[[light]]\nkind = \"area\"\ncentre = [0, 0, 2]\nu = [1, 0, 0]\nv = {v}\nradiance = [2, 2, 2]\n");
+        let wall = "[[object]]\nmaterial = \"a\"\nplane = { point = [0, 0, 0], normal = [0, 0, 1] }\n";
+        image(&scene(&[("a.toml", &format!("{HEAD}{light}{wall}"))]).unwrap(), &[&white()])
+    };
+    let (towards_camera, towards_wall) = (with("[0, 1, 0]"), with("[0, -1, 0]"));
+    assert_eq!(towards_camera.get(16, 12), Rgb::splat(2.0));
+    assert_eq!(towards_camera.get(1, 1), Rgb::BLACK, "the wall is behind it");
+    assert!(towards_wall.get(16, 12)[0] > 0.2 && towards_wall.get(16, 12)[0] < 2.0, "seen through its back");
+}
+
+#[test]
+fn how_lights_are_drawn_changes_the_noise_and_not_the_mean() {
+    let glossy = Ggx { diffuse: Rgb::splat(0.2), f0: Rgb::splat(0.5), alpha: 0.15 };
+    let lights = "[[light]]\nkind = \"environment\"\nmap = \"softboxes\"\nseen = false\n\
+                  [[light]]\nkind = \"area\"\ncentre = [-3, 3, 4]\nu = [1, 0, 1]\nv = [-0.5, 0.6, 0.5]\nradiance = [9, 9, 9]\n";
+    let text = format!("{HEAD}{lights}{BALL}").replace("samples = 4", "samples = 256");
+    let scene = scene(&[("a.toml", &text)]).unwrap();
+    let with = |lobe: Lobe| {
+        let how = Gathering { seed: 3, done: &|| (), cancelled: &|| false };
+        let view = View::gather(&scene, &[lobe], how).unwrap();
+        let radiance = view.demands()[0].radiance(&glossy);
+        radiance.iter().map(|value| f64::from(value[1])).sum::<f64>() / radiance.len() as f64
+    };
+    let means = [Lobe::COSINE, Lobe { share: 0.5, width: 0.15 }, Lobe { share: 0.9, width: 0.4 }].map(with);
+    for mean in means {
+        assert!((mean / means[0] - 1.0).abs() < 0.02, "{means:?}");
+    }
 }
 
 #[test]

@@ -5,6 +5,8 @@
 //! Carlo Rendering*, 1995, section 3.3). The directions are those of the *reference* materials and are kept, so that other
 //! models of a material are compared in the same pixels under the same light, noise included.
 
+use std::cmp::Reverse;
+
 use glam::{DMat3, DVec3};
 use rayon::prelude::*;
 
@@ -52,7 +54,8 @@ impl View {
     pub fn gather(scene: &Scene, lobes: &[Lobe], how: Gathering) -> Option<Self> {
         assert_eq!(lobes.len(), scene.objects.len(), "one lobe per object");
         let Picture { width, height, .. } = scene.picture;
-        let pass = Pass { scene, lobes, seed: how.seed };
+        let strides = strides(scene.picture.samples, LIGHTS as usize + scene.lamps.len());
+        let pass = Pass { scene, lobes, seed: how.seed, strides };
         let row = |y: usize| {
             if (how.cancelled)() {
                 return None;
@@ -114,6 +117,8 @@ struct Pass<'a> {
     scene: &'a Scene,
     lobes: &'a [Lobe],
     seed: u64,
+    /// See [`strides`].
+    strides: Vec<usize>,
 }
 
 /// What one row of pixels asks for.
@@ -132,11 +137,15 @@ impl Pass<'_> {
         let Picture { width, samples, .. } = self.scene.picture;
         let share = 1.0 / samples as f64;
         let mut row = Row::default();
+        let mut counts = vec![0; self.scene.objects.len()];
         for x in 0..width {
             let first = row.rays.len();
             let mut background = DVec3::ZERO;
             for index in 0..samples {
-                let point = |purpose| Point::new(self.seed, (y * width + x) as u64, purpose, index as u64);
+                let point = |purpose: u64| {
+                    let pass = index * self.strides[purpose as usize] % samples;
+                    Point::new(self.seed, (y * width + x) as u64, purpose, pass as u64)
+                };
                 let [u, v] = point(CAMERA).f64();
                 let ray = self.scene.camera.ray(&self.scene.picture, x as f64 + u, y as f64 + v);
                 let hit = self.scene.hit(&ray);
@@ -149,7 +158,7 @@ impl Pass<'_> {
                 }
             }
             row.background.push(Rgb(background.as_vec3().to_array()));
-            row.owners.push(owner(&row.rays[first..], samples));
+            row.owners.push(owner(&row.rays[first..], samples, &mut counts));
         }
         row.weights.iter_mut().for_each(|weight| *weight = *weight * share as f32);
         row
@@ -174,9 +183,7 @@ impl Pass<'_> {
         let lobe = &self.lobes[object];
         let is_clear = |arriving: &Arriving| {
             hit.geometric.dot(arriving.direction) > 0.0
-                && self
-                    .scene
-                    .is_clear(&Ray::leaving(place, hit.geometric, arriving.direction), arriving.distance * BEFORE)
+                && self.scene.is_clear(&ray.leaving(hit, arriving.direction), arriving.distance * BEFORE)
         };
         let mut add = |at: Directions, radiance: DVec3| {
             let weight = Rgb((radiance * f64::from(at.light.z)).as_vec3().to_array());
@@ -205,9 +212,26 @@ impl Pass<'_> {
     }
 }
 
-/// The object that more of a pixel's rays meet than any other, and not fewer than none.
-fn owner(rays: &[(usize, usize, usize)], samples: usize) -> Option<usize> {
-    let count = |object: usize| rays.iter().filter(|ray| ray.0 == object).count();
-    let most = rays.iter().map(|ray| (count(ray.0), std::cmp::Reverse(ray.0))).max()?;
-    (most.0 >= samples - rays.len()).then_some(most.1.0)
+/// The object that more of a pixel's rays meet than any other, and not fewer than meet none.
+fn owner(rays: &[(usize, usize, usize)], samples: usize, counts: &mut [usize]) -> Option<usize> {
+    rays.iter().for_each(|ray| counts[ray.0] += 1);
+    let most = rays.iter().map(|ray| (counts[ray.0], Reverse(ray.0))).max();
+    rays.iter().for_each(|ray| counts[ray.0] = 0);
+    let (count, Reverse(object)) = most?;
+    (count >= samples - rays.len()).then_some(object)
+}
+
+/// Steps through a pixel's points, one for every purpose, each coprime to their number: all are used, in another order for
+/// every purpose, so that a place in the pixel does not go with a place on a light.
+fn strides(samples: usize, purposes: usize) -> Vec<usize> {
+    let is_coprime = |stride: &usize| {
+        let (mut a, mut b) = (samples, *stride);
+        while b > 0 {
+            (a, b) = (b, a % b);
+        }
+        a == 1
+    };
+    let coprime: Vec<usize> = (1..=samples).filter(is_coprime).collect();
+    // About the golden ratio apart.
+    (0..purposes).map(|purpose| coprime[(purpose * coprime.len() * 618 / 1000) % coprime.len()]).collect()
 }

@@ -3,33 +3,33 @@
 use std::time::Instant;
 
 use anyhow::Result;
-use nbrdf_core::plan::{Models, Options, Planner};
-use nbrdf_core::scene::View;
+use nbrdf_core::plan::{Models, Options, Plan, Planner};
 use serde_json::{Value, json};
 
 use super::{Opened, watched};
 use crate::command::Global;
 
 /// How many objects take the same model when every model is made of every material and rendered, and what that costs.
-/// Both choose by the same measured times, so that they differ in nothing but what they tried.
+/// Models that both have made count the times that the plan has measured, so that the two differ in nothing but what they
+/// tried; fits are made anew.
 pub fn json(
     opened: &Opened,
-    view: &View,
     planner: &Planner,
+    plan: &Plan,
     options: Options,
     seconds: f64,
     global: &Global,
 ) -> Result<Value> {
-    let models = Models::new(&opened.materials, &opened.ladder);
+    let ladder = opened.new_ladder()?;
+    let models = Models::new(&opened.materials, &ladder);
     let start = Instant::now();
-    let everything = Planner::new(view, &models, &opened.material)?;
+    let everything = Planner::new(planner.view(), &models, &opened.material)?;
+    everything.take_times(planner);
     let exhaustive = watched(&everything, Options { exhaustive: true, ..options }, global)?;
     let exhaustive_s = start.elapsed().as_secs_f64();
-    planner.learn_times(&everything);
-    let plan = watched(planner, options, global)?;
     let differs = |object: &usize| plan.choices[*object].rung != exhaustive.choices[*object].rung;
     let difference = |object: usize| {
-        let [own, other] = [&plan, &exhaustive].map(|plan| &opened.ladder[plan.choices[object].rung].name);
+        let [own, other] = [plan, &exhaustive].map(|plan| &opened.ladder[plan.choices[object].rung].name);
         json!({"object": opened.scene.objects[object].name, "plan": own, "exhaustive": other})
     };
     let differences: Vec<Value> = (0..plan.choices.len()).filter(differs).map(difference).collect();

@@ -90,11 +90,11 @@ impl Journey<'_> {
     /// enough there.
     fn go(&mut self, way: &'static str, from: f64, to: f64) -> Result<bool> {
         let view = self.opened.view(&self.opened.scene.from_afar(self.object, to), self.global)?;
-        let planner = Planner::new(&view, self.models, &self.opened.material)?;
-        let pixels = planner.pixels(self.object);
-        if pixels < FEWEST_PIXELS {
+        if view.pixels_of(self.object).len() < FEWEST_PIXELS {
             return Ok(false);
         }
+        let planner = Planner::new(&view, self.models, &self.opened.material)?;
+        let pixels = planner.pixels(self.object);
         let watch = Watch { tried: &|_, _| {}, cancelled: &progress::cancelled };
         let Followed { rung, error, ns, change } = planner.follow(self.object, self.before, self.options, &watch)?;
         let is_long = (to / from).max(from / to) > SHORTEST;

@@ -1,6 +1,5 @@
 //! A scene with its materials and the ladder of their models.
 
-use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -11,13 +10,13 @@ use nbrdf_core::scene::{Gathering, Object, Scene, View};
 use nbrdf_core::{Library, Material};
 use rayon::prelude::*;
 
-use crate::catalog::{Catalog, Ladder, Reference};
+use crate::catalog::{Catalog, Reference, ladder};
 use crate::command::Global;
 use crate::failure::Failure;
 use crate::material::Shelf;
 use crate::progress;
 
-/// Bytes of a material that is no network, where its file's are not known.
+/// Bytes of a table over the cells of MERL, as it is evaluated.
 const TABLE: usize = 4 * 3 * 90 * 90 * 180;
 
 /// A scene, ready to be planned.
@@ -28,12 +27,17 @@ pub struct Opened {
     pub scene: Scene,
     /// Its materials, each once.
     pub materials: Vec<Material>,
+    /// Their files, where they are no names of a library.
+    pub files: Vec<Option<PathBuf>>,
     /// The material of every object, by its place.
     pub material: Vec<usize>,
     /// The kinds of models.
     pub ladder: Vec<Rung>,
     /// How lights are drawn for every object.
     lobes: Vec<Lobe>,
+    catalog: Catalog,
+    /// Catalogs of further checkpoints, by their files.
+    others: Vec<(PathBuf, Catalog)>,
 }
 
 impl Opened {
@@ -42,33 +46,50 @@ impl Opened {
         let scene = Scene::load(path)?;
         let catalog = || Catalog::new(Arc::new(Reference::built_in()));
         let shelf = Shelf::new(library.map(Library::load).transpose()?, catalog());
-        let others = checkpoints.iter().map(|path| catalog().with_checkpoint(path)).collect::<Result<Vec<_>>>()?;
-        others.iter().try_for_each(Catalog::check_used)?;
-        let mut places: BTreeMap<String, usize> = BTreeMap::new();
-        let (mut materials, mut material, mut bytes) = (Vec::new(), Vec::new(), BTreeMap::new());
+        let other = |path: &PathBuf| Ok((path.clone(), catalog().with_checkpoint(path)?));
+        let others = checkpoints.iter().map(other).collect::<Result<Vec<_>>>()?;
+        others.iter().try_for_each(|(_, catalog)| catalog.check_used())?;
+        let mut sources: Vec<Source> = Vec::new();
+        let (mut materials, mut files, mut material) = (Vec::new(), Vec::new(), Vec::new());
         for object in &scene.objects {
-            let argument = argument(&shelf, object);
-            let place = match places.get(&argument) {
-                Some(place) => *place,
-                None => {
-                    let item = shelf.material(&argument).map_err(|error| {
-                        let (file, name) = (path.display(), &object.name);
-                        Failure::InvalidFile(format!("{file}: object '{name}': {error:#}"))
-                    })?;
-                    let length = std::fs::metadata(&argument).map_or(TABLE, |found| found.len() as usize);
-                    bytes.insert(item.material.name.clone(), length);
-                    places.insert(argument, materials.len());
-                    materials.push(item.material);
-                    materials.len() - 1
-                }
+            let named = |error: anyhow::Error| {
+                let (file, name) = (path.display(), &object.name);
+                anyhow::Error::from(Failure::InvalidFile(format!("{file}: object '{name}': {error:#}")))
             };
-            material.push(place);
+            let source = Source::of(&shelf, object).map_err(named)?;
+            if let Some(place) = sources.iter().position(|known| *known == source) {
+                material.push(place);
+                continue;
+            }
+            let (own, file) = source.open(&shelf).map_err(named)?;
+            material.push(sources.len());
+            sources.push(source);
+            materials.push(own);
+            files.push(file);
         }
-        let own_bytes = move |material: &Material| bytes.get(&material.name).copied().unwrap_or(TABLE);
-        let ladder = Ladder::rungs(&catalog(), &others, own_bytes)?;
         let fitted: Vec<Lobe> = materials.par_iter().map(|material| Lobe::fit(material.brdf.as_ref())).collect();
         let lobes = material.iter().map(|&place| fitted[place]).collect();
-        Ok(Self { path: path.to_owned(), scene, materials, material, ladder, lobes })
+        let path = path.to_owned();
+        let (catalog, ladder) = (catalog(), Vec::new());
+        let mut opened = Self { path, scene, materials, files, material, ladder, lobes, catalog, others };
+        opened.ladder = opened.new_ladder()?;
+        Ok(opened)
+    }
+
+    /// The kinds of models, of which none is made yet.
+    pub fn new_ladder(&self) -> Result<Vec<Rung>> {
+        let bytes = |file: &Option<PathBuf>| match file {
+            Some(file) if file.extension().is_none_or(|extension| extension != "binary") => {
+                std::fs::metadata(file).map_or(TABLE, |found| found.len() as usize)
+            }
+            _ => TABLE,
+        };
+        let own: Vec<_> = self.materials.iter().map(|m| m.brdf.clone()).zip(self.files.iter().map(bytes)).collect();
+        let own_bytes = move |material: &Material| {
+            let known = own.iter().find(|(brdf, _)| Arc::ptr_eq(brdf, &material.brdf));
+            known.map_or(TABLE, |(_, bytes)| *bytes)
+        };
+        ladder(&self.catalog, &self.others, own_bytes)
     }
 
     /// What the picture asks for, from the camera of `scene`, which has the same objects.
@@ -78,7 +99,13 @@ impl Opened {
         let how = Gathering { seed: global.seed(), done: &done, cancelled: &progress::cancelled };
         let Some(view) = View::gather(scene, &self.lobes, how) else { bail!("cancelled: nothing was written") };
         bar.finish_and_clear();
-        let unseen: Vec<String> = view.unseen(&scene.objects).map(|object| format!("'{}'", object.name)).collect();
+        Ok(view)
+    }
+
+    /// The same from the scene's own camera; refuses objects that are not in the picture.
+    pub fn whole_view(&self, global: &Global) -> Result<View> {
+        let view = self.view(&self.scene, global)?;
+        let unseen: Vec<String> = view.unseen(&self.scene.objects).map(|object| format!("'{}'", object.name)).collect();
         match unseen.is_empty() {
             true => Ok(view),
             false => {
@@ -104,11 +131,36 @@ impl Opened {
     }
 }
 
-/// A name of the library, else a path from where the scene's file is.
-fn argument(shelf: &Shelf, object: &Object) -> String {
-    let beside = object.folder.join(&object.material);
-    match shelf.library().get(&object.material).is_err() && beside.exists() {
-        true => beside.display().to_string(),
-        false => object.material.clone(),
+/// Where a material comes from.
+#[derive(PartialEq, Eq)]
+enum Source {
+    /// A name of the library.
+    Name(String),
+    /// A file beside the scene's.
+    File(PathBuf),
+}
+
+impl Source {
+    /// A name of the library, else a path from where the scene's file is.
+    fn of(shelf: &Shelf, object: &Object) -> Result<Self> {
+        let unknown = match shelf.library().get(&object.material) {
+            Ok(_) => return Ok(Self::Name(object.material.clone())),
+            Err(unknown) => unknown,
+        };
+        let beside = object.folder.join(&object.material);
+        match beside.is_file() {
+            true => Ok(Self::File(beside.canonicalize().unwrap_or(beside))),
+            false => bail!("{unknown} Nor is there a file {}", beside.display()),
+        }
+    }
+
+    fn open(&self, shelf: &Shelf) -> Result<(Material, Option<PathBuf>)> {
+        match self {
+            Self::Name(name) => Ok((shelf.material(name)?.material, None)),
+            Self::File(path) => {
+                let Some(argument) = path.to_str() else { bail!("{}: expected a path in UTF-8", path.display()) };
+                Ok((shelf.material(argument)?.material, Some(path.clone())))
+            }
+        }
     }
 }

@@ -2,48 +2,49 @@
 
 use std::path::Path;
 
-use anyhow::{Context, Result};
-use nbrdf_core::plan::{Choice, Options, Plan, Planner, Totals};
+use nbrdf_core::plan::{By, Choice, Options, Plan, Planner, Totals};
 use serde_json::{Value, json};
 
 use super::Opened;
-use crate::catalog::NBRDF;
 use crate::report;
 use crate::report::table::Table;
 
 /// The report of a plan that took so many seconds.
-pub fn json(opened: &Opened, planner: &Planner, plan: &Plan, options: Options, seconds: f64) -> Result<Value> {
-    let nbrdf = opened.ladder.iter().position(|rung| rung.name == NBRDF).context("no rung for networks")?;
-    let full = planner.everywhere(nbrdf)?;
+pub fn json(opened: &Opened, planner: &Planner, plan: &Plan, options: Options, seconds: f64) -> Value {
     let object = |(place, choice): (usize, &Choice)| {
         let own = &opened.scene.objects[place];
         let rung = &opened.ladder[choice.rung];
+        let saved = choice.beside.map(|(ns, bytes)| {
+            json!({"time": 1.0 - choice.ns / ns, "bytes": 1.0 - choice.bytes as f64 / bytes.max(1) as f64})
+        });
         json!({
             "name": own.name, "material": opened.materials[opened.material[place]].name,
             "pixels": planner.pixels(place), "evaluations": planner.view().demands()[place].evaluations(),
             "model": rung.name, "error": choice.error, "ns": choice.ns, "bytes": choice.bytes,
-            "shared_bytes": rung.shared.as_ref().map_or(0, |(_, bytes)| *bytes),
+            "shared_bytes": rung.shared.as_ref().map_or(0, |(_, bytes)| *bytes), "saved": saved,
             "unmet": choice.unmet.map(|(rung, error)| json!({"closest": opened.ladder[rung].name, "error": error})),
         })
     };
     let totals = |totals: &Totals| json!({"ns": totals.ns, "bytes": totals.bytes});
-    Ok(json!({
+    let times = |ratio: &dyn Fn(&Totals) -> f64| plan.beside.as_ref().map(|full| ratio(full) / ratio(&plan.totals));
+    json!({
         "schema": 1, "scene": opened.path.display().to_string(), "tolerance": options.tolerance,
-        "by": if options.by == nbrdf_core::plan::By::Time { "time" } else { "bytes" },
+        "by": if options.by == By::Time { "time" } else { "bytes" },
         "objects": plan.choices.iter().enumerate().map(object).collect::<Vec<_>>(),
-        "evaluations": plan.totals.evaluations, "planned": totals(&plan.totals), "nbrdf_everywhere": totals(&full),
-        "times_faster": full.ns / plan.totals.ns, "times_smaller": full.bytes as f64 / plan.totals.bytes as f64,
+        "evaluations": plan.totals.evaluations, "planned": totals(&plan.totals),
+        "nbrdf_everywhere": plan.beside.as_ref().map(totals),
+        "times_faster": times(&|totals| totals.ns), "times_smaller": times(&|totals| totals.bytes as f64),
         "models_tried": plan.tried, "seconds": seconds,
-    }))
+    })
 }
 
 /// The same for people.
 pub fn text(summary: &Value, picture: &Path) -> String {
-    let head = ["object", "material", "pixels", "model", "FLIP", "ns", "bytes", "shared kB", "of NBRDF's time"];
+    let head = ["object", "material", "pixels", "model", "FLIP", "ns", "time saved", "bytes", "saved", "shared kB"];
     let mut table = Table::new(head.map(str::to_owned).to_vec());
     let number = |value: &Value| value.as_f64().unwrap_or(f64::NAN);
     let word = |value: &Value| value.as_str().unwrap_or_default().to_owned();
-    let everywhere = number(&summary["nbrdf_everywhere"]["ns"]) / number(&summary["evaluations"]);
+    let percent = |value: &Value| value.as_f64().map_or_else(|| "-".to_owned(), |v| format!("{:.0} %", 100.0 * v));
     let mut unmet = String::new();
     for object in summary["objects"].as_array().into_iter().flatten() {
         table.push(vec![
@@ -53,9 +54,10 @@ pub fn text(summary: &Value, picture: &Path) -> String {
             word(&object["model"]),
             report::figure(number(&object["error"])),
             report::figure(number(&object["ns"])),
+            percent(&object["saved"]["time"]),
             object["bytes"].to_string(),
+            percent(&object["saved"]["bytes"]),
             format!("{:.0}", number(&object["shared_bytes"]) / 1e3),
-            format!("{:.0} %", 100.0 * number(&object["ns"]) / everywhere),
         ]);
         if let Some(closest) = object["unmet"].as_object() {
             unmet += &format!(
@@ -71,7 +73,8 @@ pub fn text(summary: &Value, picture: &Path) -> String {
         format!("{:.1} ms, {} bytes", 1e-6 * number(&total["ns"]), total["bytes"])
     };
     format!(
-        "{}: FLIP of {} at most, {} evaluations, one thread\n\n{table}\n{unmet}\
+        "{}: FLIP of {} at most, {} evaluations, one thread; saved: against the pruned NBRDF of the same material\n\n\
+         {table}\n{unmet}\
          planned: {}; pruned NBRDF everywhere: {}: {:.2} times faster, {:.2} times smaller\n\
          {} models tried in {:.1} s; full, planned and difference in {}\n{}",
         word(&summary["scene"]),

@@ -2,13 +2,12 @@
 
 use std::path::Path;
 
-use anyhow::{Context, Result};
+use anyhow::Result;
 use nbrdf_core::plan::{Models, Options, Planner};
 use serde_json::{Value, json};
 
 use super::curve::{Curve, Lines, Point};
 use super::{Opened, watched};
-use crate::catalog::NBRDF;
 use crate::command::Global;
 use crate::report;
 use crate::report::table::Table;
@@ -18,10 +17,9 @@ const TOLERANCES: [f64; 11] = [0.005, 0.0075, 0.01, 0.015, 0.02, 0.03, 0.04, 0.0
 
 /// Plans for every tolerance; models and errors are found once.
 pub fn sweep(opened: &Opened, options: Options, output: &Path, global: &Global) -> Result<()> {
-    let view = opened.view(&opened.scene, global)?;
+    let view = opened.whole_view(global)?;
     let models = Models::new(&opened.materials, &opened.ladder);
     let planner = Planner::new(&view, &models, &opened.material)?;
-    let nbrdf = opened.ladder.iter().position(|rung| rung.name == NBRDF).context("no rung for networks")?;
     let mut rows: Vec<Value> = Vec::new();
     for tolerance in TOLERANCES {
         let plan = watched(&planner, Options { tolerance, ..options }, global)?;
@@ -29,18 +27,19 @@ pub fn sweep(opened: &Opened, options: Options, output: &Path, global: &Global) 
         let chosen: Vec<&str> = plan.choices.iter().map(|choice| opened.ladder[choice.rung].name.as_str()).collect();
         rows.push(json!({
             "tolerance": tolerance, "ns": plan.totals.ns, "bytes": plan.totals.bytes, "worst_error": worst, "models": chosen,
+            "nbrdf_everywhere": plan.beside.map(|full| json!({"ns": full.ns, "bytes": full.bytes})),
         }));
     }
-    let full = planner.everywhere(nbrdf)?;
     let summary = json!({
         "schema": 1, "scene": opened.path.display().to_string(), "rows": rows,
-        "nbrdf_everywhere": {"ns": full.ns, "bytes": full.bytes},
     });
     let number = |row: &Value, key: &str| row[key].as_f64().unwrap_or(f64::NAN);
-    let points = |key: &str, full: f64| -> Vec<Point> {
+    // Times of one row are of one run.
+    let share = |row: &Value, key: &str| number(row, key) / number(&row["nbrdf_everywhere"], key);
+    let points = |key: &str| -> Vec<Point> {
         let point = |row: &Value| Point {
             x: number(row, "tolerance"),
-            y: number(row, key) / full,
+            y: share(row, key),
             label: String::new(),
             about: format!("FLIP {}: {} {key}", row["tolerance"], row[key]),
         };
@@ -50,8 +49,8 @@ pub fn sweep(opened: &Opened, options: Options, output: &Path, global: &Global) 
     let title = at(0.04).map_or_else(String::new, |row| {
         format!(
             "Within FLIP 0.04 the frame takes {:.0} % of the time and {:.0} % of the bytes",
-            100.0 * number(row, "ns") / full.ns,
-            100.0 * number(row, "bytes") / full.bytes as f64
+            100.0 * share(row, "ns"),
+            100.0 * share(row, "bytes")
         )
     });
     let lines = |title: &str, y_label: &str, points: Vec<Point>| Lines {
@@ -65,8 +64,8 @@ pub fn sweep(opened: &Opened, options: Options, output: &Path, global: &Global) 
         subtitle: format!("{}: planned models against pruned NBRDF everywhere", opened.path.display()),
         x_label: "tolerance: mean FLIP on every object's pixels, at most".into(),
         panels: vec![
-            lines("Evaluation", "time, share of NBRDF's", points("ns", full.ns)),
-            lines("Storage", "bytes, share of NBRDF's", points("bytes", full.bytes as f64)),
+            lines("Evaluation", "time, share of NBRDF's", points("ns")),
+            lines("Storage", "bytes, share of NBRDF's", points("bytes")),
         ],
     };
     curve.write(output)?;
@@ -80,8 +79,8 @@ pub fn sweep(opened: &Opened, options: Options, output: &Path, global: &Global) 
                 format!("{:.1}", 1e-6 * number(row, "ns")),
                 row["bytes"].to_string(),
                 report::figure(number(row, "worst_error")),
-                format!("{:.2}", full.ns / number(row, "ns")),
-                format!("{:.2}", full.bytes as f64 / number(row, "bytes")),
+                format!("{:.2}", 1.0 / share(row, "ns")),
+                format!("{:.2}", 1.0 / share(row, "bytes")),
             ]);
         }
         format!("{}\n\n{table}\ncurve in {}\n", opened.path.display(), output.display())
