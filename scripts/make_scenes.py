@@ -41,7 +41,8 @@ def curves(reports: dict) -> str:
     for place, row in enumerate(first["rows"]):
         cells = []
         for report in reports.values():
-            own, full = report["rows"][place], report["nbrdf_everywhere"]
+            own = report["rows"][place]
+            full = own["nbrdf_everywhere"]
             cells += [f"{full['ns'] / own['ns']:.2f}", f"{full['bytes'] / own['bytes']:.2f}", number(own["worst_error"], 4)]
         rows.append([str(row["tolerance"]), *cells])
     head = ["tolerance", *(f"{scene}: {what}" for scene in reports for what in ("× less time", "× fewer bytes", "worst FLIP"))]

@@ -19,6 +19,7 @@ mod prune;
 pub mod safetensors;
 pub mod samples;
 mod shape;
+mod shrink;
 pub mod symmetry;
 pub mod tangent;
 

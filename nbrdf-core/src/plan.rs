@@ -39,6 +39,8 @@ pub struct Rung {
     pub bytes: usize,
     /// What all its models share: a name, and bytes.
     pub shared: Option<(String, usize)>,
+    /// The rung of the same models in more bits: where that one does not serve, this one does not.
+    pub coarser_than: Option<usize>,
     /// Whether it is the materials as they are; one rung is.
     pub is_itself: bool,
     /// Makes the model of a material.

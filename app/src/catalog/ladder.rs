@@ -61,6 +61,17 @@ pub fn ladder(
             }
         }
     }
+    // The materials' own networks in fewer bits.
+    for (precision, suffix) in [(Precision::Half, "_half"), (Precision::Byte, "_byte")] {
+        let make = move |material: &Material| {
+            let none = || EncodeError::NeedsNetwork { model: ITSELF, material: material.name.clone() };
+            let network = precision.round(material.network.as_ref().ok_or_else(none)?);
+            Ok(pruned(&network, precision, Kept::Network))
+        };
+        let bytes = precision.bytes(PUBLISHED_HIDDEN);
+        let name = format!("{ITSELF}{suffix}");
+        rungs.push(Timed::new(name, bytes, None, Box::new(make), Box::new(typical(PUBLISHED_HIDDEN))));
+    }
     time(&mut rungs);
     let itself = move |material: &Material| {
         Ok(match &material.network {
@@ -71,7 +82,11 @@ pub fn ladder(
     let mut rungs: Vec<Rung> = rungs.into_iter().map(|timed| timed.rung).collect();
     // What the materials themselves cost is measured and not expected.
     let (name, make) = (ITSELF.to_owned(), Box::new(itself));
-    rungs.push(Rung { name, ns: f64::INFINITY, bytes: 0, shared: None, is_itself: true, make });
+    rungs.push(Rung { name, ns: f64::INFINITY, bytes: 0, shared: None, coarser_than: None, is_itself: true, make });
+    for place in 0..rungs.len() {
+        let finer = ["_half", "_byte"].iter().find_map(|suffix| rungs[place].name.strip_suffix(suffix));
+        rungs[place].coarser_than = finer.and_then(|finer| rungs.iter().position(|rung| rung.name == finer));
+    }
     Ok(rungs)
 }
 
@@ -83,7 +98,10 @@ struct Timed {
 
 impl Timed {
     fn new(name: String, bytes: usize, shared: Option<(String, usize)>, make: Make, sample: Box<dyn Brdf>) -> Self {
-        Self { rung: Rung { name, ns: f64::INFINITY, bytes, shared, is_itself: false, make }, sample }
+        Self {
+            rung: Rung { name, ns: f64::INFINITY, bytes, shared, coarser_than: None, is_itself: false, make },
+            sample,
+        }
     }
 }
 

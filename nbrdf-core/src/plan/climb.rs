@@ -126,6 +126,11 @@ impl Planner<'_> {
         if (watch.cancelled)() {
             return Err(PlanError::Cancelled);
         }
+        if let Some(finer) = self.models.ladder[rung].coarser_than.filter(|_| !options.exhaustive)
+            && !self.serves(object, finer, options, watch)?
+        {
+            return Ok(false);
+        }
         let Known { estimate, error } = self.known(object, rung);
         if let Some(error) = error {
             return Ok(error <= options.tolerance);

@@ -66,7 +66,7 @@ fn ladder() -> Vec<Rung> {
             let code = representation.encode(material)?;
             Ok(Model { brdf: Arc::from(representation.decode(&code)?), bytes, kept: Kept::Code(code) })
         };
-        Rung { name, ns, bytes, shared: None, is_itself: false, make: Box::new(make) }
+        Rung { name, ns, bytes, shared: None, coarser_than: None, is_itself: false, make: Box::new(make) }
     }
     let network = |name: &str, precision: Precision, is_itself| {
         let make = move |material: &Material| {
@@ -76,7 +76,15 @@ fn ladder() -> Vec<Rung> {
             Ok(Model { brdf: Arc::new(network), bytes, kept })
         };
         let bytes = precision.bytes([21, 21]);
-        Rung { name: name.to_owned(), ns: 15.0, bytes, shared: None, is_itself, make: Box::new(make) }
+        Rung {
+            name: name.to_owned(),
+            ns: 15.0,
+            bytes,
+            shared: None,
+            coarser_than: None,
+            is_itself,
+            make: Box::new(make),
+        }
     };
     vec![
         formula(Analytic::<LambertAlone>::new(), 0.6),
@@ -161,6 +169,7 @@ fn a_model_that_many_share_is_tried_only_where_it_can_pay() {
             ns: 15.0,
             bytes,
             shared,
+            coarser_than: None,
             is_itself,
             make,
         };

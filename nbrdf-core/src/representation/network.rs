@@ -10,8 +10,10 @@ use crate::nbrdf::precision::Precision;
 use crate::nbrdf::weight_count;
 use crate::{Brdf, Material, Nbrdf};
 
-/// Steps of a fit where a material brings no network of these widths.
+/// Steps of a fit from random weights.
 const STEPS: usize = 8000;
+/// Steps from a wider network of the same material, which lead closer.
+const NEAR_STEPS: usize = 4000;
 
 /// Networks of the same widths, stored in the same number of bits.
 pub struct Network {
@@ -77,12 +79,15 @@ impl Representation for Network {
         }
     }
 
-    /// The material's own network where its widths are right, else one fitted to it from a seeded random start.
+    /// The material's own network where its widths are right; else one fitted to it, from its own network with fewer units
+    /// or, where it has none that is wide enough, from a seeded random start.
     fn encode(&self, target: &Material) -> Result<Code, EncodeError> {
         let own = target.network.as_ref().filter(|network| network.hidden() == self.hidden);
         let fitted = || {
-            let options = FitOptions { steps: STEPS, ..FitOptions::default() };
-            fit(&random_hidden(0, 0, self.hidden), target.brdf.as_ref(), options, &|| false)
+            let near = target.network.as_ref().and_then(|network| network.shrunk(self.hidden));
+            let (start, steps) =
+                near.map_or_else(|| (random_hidden(0, 0, self.hidden), STEPS), |near| (near, NEAR_STEPS));
+            fit(&start, target.brdf.as_ref(), FitOptions { steps, ..FitOptions::default() }, &|| false)
         };
         let network = own.cloned().or_else(fitted);
         let network = network.ok_or_else(|| EncodeError::NotFinite { material: target.name.clone() })?;
