@@ -148,8 +148,9 @@ Errors are mean (worst) over held-out materials against the {report['reference']
 definitions as in [results.md](results.md). Representations that learn have seen the 80 training materials of MERL; fits see
 the material itself. `nbrdf` is the built-in library's network, fitted to the reference network for 30 000 steps from the shared start, so that
 its rows tell what such a fit loses, and fewer bits on top; `nbrdf_pruned` is the same network without the units that can never
-fire, which differ from material to material: its bytes are the median. `nbrdf_10` and `nbrdf_32` are fitted for 8 000 steps from random
-weights. Times to encode are of finding the former in the library, and of fitting the latter. What is learned can be saved, of
+fire, which differ from material to material: its bytes are the median. `nbrdf_6`, `nbrdf_10` and `nbrdf_16` are fitted for
+4 000 steps from the reference network, from which units were left out; `nbrdf_32` for 8 000 from random weights. Times to encode are of
+finding the former in the library, and of fitting the latter ones. What is learned can be saved, of
 other sizes and from other materials too: `nbrdf learn NAME -o FILE`, and `--checkpoint FILE` where codes are made or read.
 On this page they are learned from the reference (`--library merl_nbrdf.zip`), on the command line from the built-in library.
 

@@ -76,13 +76,14 @@ The shelf, object by object:
 
 {objects(reports["shelf", "time"], reports["shelf", "bytes"])}
 
-Over the tolerance (`nbrdf plan SCENE.toml --sweep tolerance`):
+Over the tolerance, tables left out (`nbrdf plan SCENE.toml --sweep tolerance --most-bytes 1000000`): a table of 17 MB is a little faster
+than a network in some runs, and not in others.
 
 {curves({scene: read(f"{scene}-tolerance") for scene in SCENES})}
 
 ![Time and bytes of the shelf over the tolerance](images/tolerance.svg)
 
-Over the distance (`nbrdf plan scenes/shelf.toml --sweep distance --object "near middle"`): as the camera moves to
+Over the distance (`nbrdf plan scenes/shelf.toml --sweep distance --object "near middle" --most-bytes 1000000`): as the camera moves to
 {far["rows"][len(models) - 1]["distance"]:.0f} times as far, the material takes {", ".join(f"`{name}`" for name in order)}; out and back
 there are {far["switches"]} switches, none of which changes the object's pixels by more than FLIP {far["largest_change"]:.3f}
 ({far["tolerance"]} is allowed).

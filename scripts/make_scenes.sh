@@ -17,10 +17,11 @@ for scene in shelf interior metal; do
         "$nbrdf" plan "scenes/$scene.toml" --library "$out/published" --by "$by" --check --json --quiet \
             -o "$out/$scene-$by.png" > "$out/$scene-$by.json"
     done
-    "$nbrdf" plan "scenes/$scene.toml" --library "$out/published" --sweep tolerance --json --quiet \
+    "$nbrdf" plan "scenes/$scene.toml" --library "$out/published" --sweep tolerance --most-bytes 1000000 --json --quiet \
         -o "$out/$scene-tolerance.svg" > "$out/$scene-tolerance.json"
 done
-"$nbrdf" plan scenes/shelf.toml --library "$out/published" --sweep distance --object "near middle" --json --quiet \
+"$nbrdf" plan scenes/shelf.toml --library "$out/published" --sweep distance --object "near middle" \
+    --most-bytes 1000000 --json --quiet \
     -o docs/images/distance.svg > "$out/distance.json"
 cp "$out/shelf-tolerance.svg" docs/images/tolerance.svg
 cp "$out/shelf-time.png" docs/images/shelf.png

@@ -39,7 +39,7 @@ pub struct Rung {
     pub bytes: usize,
     /// What all its models share: a name, and bytes.
     pub shared: Option<(String, usize)>,
-    /// The rung of the same models in more bits: where that one does not serve, this one does not.
+    /// The rung of the same models in more bits: where that one is far off, this one is.
     pub coarser_than: Option<usize>,
     /// Whether it is the materials as they are; one rung is.
     pub is_itself: bool,
@@ -92,6 +92,8 @@ pub struct Options {
     pub by: By,
     /// Try every model on every object, in the picture: what the walk is checked against.
     pub exhaustive: bool,
+    /// Kinds of models with more bytes than this are left out, but for the materials themselves.
+    pub most_bytes: usize,
     /// A rung that the plan is compared with, used for everything.
     pub beside: Option<usize>,
 }

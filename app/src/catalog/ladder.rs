@@ -195,11 +195,8 @@ fn pruned(network: &Nbrdf, precision: Precision, kept: impl Fn(Nbrdf) -> Kept) -
 
 /// A network as they usually are of these widths, pruned.
 fn typical(hidden: [usize; 2]) -> Nbrdf {
-    let known = builtin::shared().get(TYPICAL).ok().map(|entry| &entry.network);
-    match known.filter(|network| network.hidden() == hidden) {
-        Some(network) => network.pruned(),
-        None => random_hidden(0, 0, hidden).pruned(),
-    }
+    let known = builtin::shared().get(TYPICAL).ok().and_then(|entry| entry.network.shrunk(hidden));
+    known.unwrap_or_else(|| random_hidden(0, 0, hidden)).pruned()
 }
 
 /// Times to expect, all kinds side by side.

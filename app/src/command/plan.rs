@@ -36,6 +36,9 @@ pub struct Plan {
     /// What is to be least; within a tenth of the least time, fewest bytes.
     #[arg(long, value_enum, default_value_t = Least::Time)]
     by: Least,
+    /// Leave out kinds of models of more bytes: 1000000 leaves out tables.
+    #[arg(long, value_name = "BYTES", default_value_t = usize::MAX, hide_default_value = true)]
+    most_bytes: usize,
     /// Picture (.png) of full models, planned models and their difference; of a sweep its chart (.svg or .png).
     #[arg(short, long, value_name = "PICTURE")]
     output: Option<PathBuf>,
@@ -99,7 +102,7 @@ impl Plan {
         let by = if self.by == Least::Time { By::Time } else { By::Bytes };
         let tolerance = self.tolerance.or(opened.scene.tolerance).unwrap_or(TOLERANCE);
         let beside = opened.ladder.iter().position(|rung| rung.name == NBRDF);
-        let options = Options { tolerance, by, exhaustive: false, beside };
+        let options = Options { tolerance, by, exhaustive: false, most_bytes: self.most_bytes, beside };
         match self.sweep {
             None => self.once(&opened, options, &output, global),
             Some(Sweep::Tolerance) => tolerance::sweep(&opened, options, &output, global),

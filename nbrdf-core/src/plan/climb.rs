@@ -11,6 +11,8 @@ use super::{By, Options, PlanError, Watch};
 const FAR_OFF: f64 = 2.0;
 /// Rungs that may turn out cheaper than the first good one, by as much as times, and bytes, differ between materials.
 const SLACK: [f64; 2] = [1.3, 1.6];
+/// What is farther off than this in more bits is not nearer in fewer; rounding may be lucky.
+const ROUNDING: f64 = 1.25;
 
 impl Planner<'_> {
     /// What every object can choose from. Materials go in parallel, objects of one material one after the other, so that
@@ -32,8 +34,30 @@ impl Planner<'_> {
         let mut found: Vec<Found> = all.into_iter().map(|(_, found)| found).collect();
         if !options.exhaustive {
             self.offer_shared(&mut found, options, refused, watch)?;
+            self.offer_siblings(&mut found, options, refused, watch)?;
         }
         Ok(found)
+    }
+
+    /// What serves one object may serve others of the same material, and is there already.
+    fn offer_siblings(
+        &self,
+        found: &mut [Found],
+        options: Options,
+        refused: &BTreeSet<(usize, usize)>,
+        watch: &Watch,
+    ) -> Result<(), PlanError> {
+        for object in 0..found.len() {
+            let siblings = (0..found.len()).filter(|&other| self.material[other] == self.material[object]);
+            let rungs: BTreeSet<usize> = siblings.flat_map(|other| found[other].within.iter().copied()).collect();
+            for rung in rungs {
+                let is_new = !found[object].within.contains(&rung) && !refused.contains(&(object, rung));
+                if is_new && self.serves(object, rung, options, watch)? {
+                    found[object].within.push(rung);
+                }
+            }
+        }
+        Ok(())
     }
 
     /// One object's walk, from the cheapest model up until no other can be cheaper than what was found.
@@ -72,7 +96,8 @@ impl Planner<'_> {
     pub(super) fn order(&self, object: usize, options: Options) -> Result<Vec<(f64, usize)>, PlanError> {
         let mut order = Vec::new();
         for (rung, kind) in self.models.ladder.iter().enumerate() {
-            if options.exhaustive || kind.shared.is_none() {
+            let is_small = kind.bytes <= options.most_bytes || kind.is_itself;
+            if is_small && (options.exhaustive || kind.shared.is_none()) {
                 order.push((self.expected(object, rung, options.by)?, rung));
             }
         }
@@ -89,7 +114,7 @@ impl Planner<'_> {
         watch: &Watch,
     ) -> Result<(), PlanError> {
         for (rung, kind) in self.models.ladder.iter().enumerate() {
-            let Some((_, shared)) = &kind.shared else { continue };
+            let Some((_, shared)) = kind.shared.as_ref().filter(|_| kind.bytes <= options.most_bytes) else { continue };
             let mut objects = Vec::new();
             let (mut saved, mut is_faster) = (0_usize, false);
             for (object, found) in found.iter().enumerate() {
@@ -129,7 +154,10 @@ impl Planner<'_> {
         if let Some(finer) = self.models.ladder[rung].coarser_than.filter(|_| !options.exhaustive)
             && !self.serves(object, finer, options, watch)?
         {
-            return Ok(false);
+            let Known { estimate, error } = self.known(object, finer);
+            if error.or(estimate).is_none_or(|error| error > ROUNDING * options.tolerance) {
+                return Ok(false);
+            }
         }
         let Known { estimate, error } = self.known(object, rung);
         if let Some(error) = error {

@@ -95,7 +95,7 @@ fn ladder() -> Vec<Rung> {
 }
 
 fn options(tolerance: f64) -> Options {
-    Options { tolerance, by: By::Time, exhaustive: false, beside: Some(3) }
+    Options { tolerance, by: By::Time, exhaustive: false, most_bytes: usize::MAX, beside: Some(3) }
 }
 
 fn names<'a>(ladder: &'a [Rung], plan: &Plan) -> Vec<&'a str> {
@@ -223,6 +223,15 @@ fn light_beyond_all_numbers_is_still_planned() {
     let planner = Planner::new(&view, &models, &MATERIAL).unwrap();
     let plan = planner.plan(Options { beside: None, ..options(1e-6) }, &QUIET).unwrap();
     assert!(plan.choices.iter().all(|choice| choice.error <= 1e-6), "{:?}", plan.choices);
+}
+
+#[test]
+fn models_that_are_too_large_are_left_out_but_for_the_materials_themselves() {
+    let (view, materials, ladder) = (view(&scene()), materials(), ladder());
+    let models = Models::new(&materials, &ladder);
+    let planner = Planner::new(&view, &models, &MATERIAL).unwrap();
+    let plan = planner.plan(Options { most_bytes: 1000, ..options(0.01) }, &QUIET).unwrap();
+    assert_eq!(names(&ladder, &plan), ["itself"; 3]);
 }
 
 #[test]
