@@ -39,7 +39,8 @@ pub struct Plan {
     /// Leave out kinds of models of more bytes: 1000000 leaves out tables.
     #[arg(long, value_name = "BYTES", default_value_t = usize::MAX, hide_default_value = true)]
     most_bytes: usize,
-    /// Picture (.png) of full models, planned models and their difference; of a sweep its chart (.svg or .png).
+    /// Picture (.png) of full models, planned models and their difference, plan.png by default; of a sweep its chart (.svg or
+    /// .png), plan.svg by default.
     #[arg(short, long, value_name = "PICTURE")]
     output: Option<PathBuf>,
     /// Folder for the chosen models' files, and which object takes which.

@@ -33,17 +33,22 @@ pub(super) struct Seat {
 /// together. By bytes: the fewest of all together, and of those within a tie of an object's share the fastest.
 pub(super) fn choose(seats: &[Seat], by: By) -> Vec<usize> {
     let allowed: Vec<Vec<usize>> = seats.iter().map(|seat| allowed(&seat.candidates, by)).collect();
-    let shared: BTreeSet<usize> =
-        seats.iter().flat_map(|seat| &seat.candidates).filter_map(|own| own.shared).map(|(number, _)| number).collect();
-    // What is shared pays for several objects or for none: each is tried for all objects that can use it.
-    let mut starts = vec![alone(seats, &allowed, None)];
-    starts.extend(shared.into_iter().map(|number| alone(seats, &allowed, Some(number))));
-    let ends = starts.into_iter().map(|start| descend(seats, &allowed, start));
-    let fewest = ends.min_by_key(|chosen| Tally::of(seats, chosen).bytes()).unwrap_or_default();
+    let fewest = fewest(seats, &allowed);
     match by {
         By::Time => fewest,
         By::Bytes => hasten(seats, fewest),
     }
+}
+
+/// The fewest bytes of all together that changes of one object, or of all of one material, lead to.
+fn fewest(seats: &[Seat], allowed: &[Vec<usize>]) -> Vec<usize> {
+    let shared: BTreeSet<usize> =
+        seats.iter().flat_map(|seat| &seat.candidates).filter_map(|own| own.shared).map(|(number, _)| number).collect();
+    // What is shared pays for several objects or for none: each is tried for all objects that can use it.
+    let mut starts = vec![alone(seats, allowed, None)];
+    starts.extend(shared.into_iter().map(|number| alone(seats, allowed, Some(number))));
+    let ends = starts.into_iter().map(|start| descend(seats, allowed, start));
+    ends.min_by_key(|chosen| Tally::of(seats, chosen).bytes()).unwrap_or_default()
 }
 
 /// By time: what is within a tie of the fastest.

@@ -143,7 +143,9 @@ impl<'a> Planner<'a> {
         let others = candidates(&mut beside.iter().copied())?;
         let choice = |object: usize| {
             let (rung, Candidate { ns, bytes, .. }) = (chosen[object], own[object]);
-            let unmet = found[object].closest.map(|rung| Ok((rung, self.error(object, rung)?))).transpose();
+            let is_itself = self.known(object, rung).error == Some(0.0);
+            let closest = found[object].closest.filter(|_| is_itself);
+            let unmet = closest.map(|rung| Ok((rung, self.error(object, rung)?))).transpose();
             let beside = others.get(object).map(|other| (other.ns, other.bytes));
             Ok(Choice { rung, error: errors[object], ns, bytes, unmet: unmet?, beside })
         };

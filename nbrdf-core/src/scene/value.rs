@@ -22,7 +22,7 @@ pub(super) fn within(place: &str, value: f64, low: f64, high: f64) -> Result<f64
 }
 
 pub(super) fn place(name: &str, value: Vector) -> Result<DVec3, SceneProblem> {
-    match value.iter().find(|v| !(v.abs() <= LARGEST)) {
+    match value.iter().find(|v| !(-LARGEST..=LARGEST).contains(*v)) {
         Some(v) => Err(SceneProblem::value(name, format!("numbers within {LARGEST:e}"), v)),
         None => Ok(DVec3::from_array(value)),
     }

@@ -56,7 +56,8 @@ impl Curve {
         }
         let kind = |(place, name): (usize, &String)| Kind {
             name: name.clone(),
-            colour: [1, 3, 2][place % 3],
+            // The line is that of the first kind.
+            colour: [3, 1, 2][place % 3],
             shape: [Shape::Circle, Shape::Square, Shape::Up][place % 3],
         };
         let panel = |Lines { title, y_label, is_straight, lines }: Lines| {

@@ -134,11 +134,14 @@ fn chart(name: &str, rows: &[Row], options: Options, largest: f64) -> Curve {
     Curve {
         title: format!("'{name}' takes {} as it recedes", models.join(", then ")),
         subtitle: format!(
-            "a cheaper model takes over below {:.0} % of FLIP {} and leaves above {:.0} %; a switch changes the picture by {} at most",
+            "a cheaper model takes over below {:.0} % of FLIP {} and leaves above {:.0} %; {}",
             100.0 * TAKES_OVER,
             options.tolerance,
             100.0 * LEAVES,
-            report::figure(largest)
+            match rows.iter().any(|row| row.change.is_some()) {
+                true => format!("a switch changes the picture by {} at most", report::figure(largest)),
+                false => "no switch".to_owned(),
+            }
         ),
         x_label: "distance from the camera, times that of the scene".into(),
         panels: vec![

@@ -1,5 +1,6 @@
 //! The chosen models as files.
 
+use std::collections::btree_map::Entry;
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
@@ -28,13 +29,16 @@ pub fn export(folder: &Path, opened: &Opened, planner: &Planner, plan: &Plan) ->
     for (place, choice) in plan.choices.iter().enumerate() {
         let key = (opened.material[place], choice.rung);
         let (material, kind) = (&opened.materials[key.0], &opened.ladder[key.1].name);
-        if !written.contains_key(&key) {
-            let model = planner.models().get(key.0, key.1)?;
-            let stem = stem(&material.name, kind, &mut names);
-            written.insert(key, write(folder, &stem, opened, key.0, &model)?);
-        }
+        let file = match written.entry(key) {
+            Entry::Occupied(known) => known.get().clone(),
+            Entry::Vacant(new) => {
+                let model = planner.models().get(key.0, key.1)?;
+                let stem = stem(&material.name, kind, &mut names);
+                new.insert(write(folder, &stem, opened, key.0, &model)?).clone()
+            }
+        };
         let mut object = json!({
-            "name": opened.scene.objects[place].name, "material": material.name, "model": kind, "file": written[&key],
+            "name": opened.scene.objects[place].name, "material": material.name, "model": kind, "file": file,
         });
         if kind == "table_nearest" {
             object["lookup"] = "nearest".into();

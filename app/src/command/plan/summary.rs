@@ -61,7 +61,7 @@ pub fn text(summary: &Value, picture: &Path) -> String {
         ]);
         if let Some(closest) = object["unmet"].as_object() {
             unmet += &format!(
-                "{}: nothing cheaper is within the tolerance (closest: {} at {}); kept as it is\n",
+                "{}: kept as it is, no other model that was tried is within the tolerance (closest: {} at {})\n",
                 word(&object["name"]),
                 word(&closest["closest"]),
                 report::figure(number(&closest["error"]))
