@@ -2,10 +2,11 @@
 
 use std::path::Path;
 
-use anyhow::Result;
+use anyhow::{Context, Result};
 use nbrdf_core::{Image, atomic};
 
 use crate::failure::Failure;
+use crate::report::png::png;
 
 /// Extensions of pictures.
 pub const PICTURES: [&str; 2] = ["png", "exr"];
@@ -47,4 +48,13 @@ pub fn write_picture(path: &Path, picture: &Image) -> Result<()> {
         false => picture.write_png(path)?,
     }
     Ok(())
+}
+
+/// Writes a chart in the form of its extension: pixels as .png, else the SVG itself.
+pub fn write_chart(path: &Path, svg: &str) -> Result<()> {
+    let written = match path.extension().is_some_and(|extension| extension == "png") {
+        true => atomic::write(path, &png(svg)?),
+        false => atomic::write(path, svg.as_bytes()),
+    };
+    written.with_context(|| format!("{}: cannot be written", path.display()))
 }

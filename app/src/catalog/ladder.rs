@@ -22,6 +22,9 @@ use super::{Catalog, Family, REPRESENTATIONS, RepresentationEntry, Shared, Varia
 const ITSELF: &str = "itself";
 /// The rung that others are compared with: a network of the published widths for everything.
 pub const NBRDF: &str = "nbrdf";
+/// Bits of stored weights, and how the names of rungs tell them.
+const PRECISIONS: [(Precision, &str); 3] =
+    [(Precision::Single, ""), (Precision::Half, "_half"), (Precision::Byte, "_byte")];
 /// Runs whose median is the time to expect.
 const REPEATS: usize = 8;
 /// A built-in network of about as many live units as most, for the time to expect of its kind.
@@ -61,17 +64,12 @@ pub fn ladder(
             }
         }
     }
-    // The materials' own networks in fewer bits.
-    for (precision, suffix) in [(Precision::Half, "_half"), (Precision::Byte, "_byte")] {
-        let make = move |material: &Material| {
-            let none = || EncodeError::NeedsNetwork { model: ITSELF, material: material.name.clone() };
-            let network = precision.round(material.network.as_ref().ok_or_else(none)?);
-            Ok(pruned(&network, precision, Kept::Network))
-        };
-        let bytes = precision.bytes(PUBLISHED_HIDDEN);
-        let name = format!("{ITSELF}{suffix}");
-        rungs.push(Timed::new(name, bytes, None, Box::new(make), Box::new(typical(PUBLISHED_HIDDEN))));
-    }
+    let own = |material: &Material| {
+        let none = || EncodeError::NeedsNetwork { model: ITSELF, material: material.name.clone() };
+        material.network.clone().ok_or_else(none)
+    };
+    // In as many bits as they have they are the materials themselves.
+    rungs.extend(rounded(ITSELF, PUBLISHED_HIDDEN, &PRECISIONS[1..], Arc::new(own)));
     time(&mut rungs);
     let itself = move |material: &Material| {
         Ok(match &material.network {
@@ -84,7 +82,7 @@ pub fn ladder(
     let (name, make) = (ITSELF.to_owned(), Box::new(itself));
     rungs.push(Rung { name, ns: f64::INFINITY, bytes: 0, shared: None, coarser_than: None, is_itself: true, make });
     for place in 0..rungs.len() {
-        let finer = ["_half", "_byte"].iter().find_map(|suffix| rungs[place].name.strip_suffix(suffix));
+        let finer = PRECISIONS[1..].iter().find_map(|(_, suffix)| rungs[place].name.strip_suffix(suffix));
         rungs[place].coarser_than = finer.and_then(|finer| rungs.iter().position(|rung| rung.name == finer));
     }
     Ok(rungs)
@@ -93,11 +91,11 @@ pub fn ladder(
 /// A rung, and a model of its kind to time.
 struct Timed {
     rung: Rung,
-    sample: Box<dyn Brdf>,
+    sample: Arc<dyn Brdf>,
 }
 
 impl Timed {
-    fn new(name: String, bytes: usize, shared: Option<(String, usize)>, make: Make, sample: Box<dyn Brdf>) -> Self {
+    fn new(name: String, bytes: usize, shared: Option<(String, usize)>, make: Make, sample: Arc<dyn Brdf>) -> Self {
         Self {
             rung: Rung { name, ns: f64::INFINITY, bytes, shared, coarser_than: None, is_itself: false, make },
             sample,
@@ -128,7 +126,7 @@ fn decoded(entry: &RepresentationEntry, representation: Shared) -> Result<Timed>
         let brdf = Arc::from(representation.decode(&code)?);
         Ok(Model { brdf, bytes, kept: if is_table { Kept::Table } else { Kept::Code(code) } })
     };
-    Ok(Timed::new(entry.name.to_owned(), bytes, None, Box::new(make), sample))
+    Ok(Timed::new(entry.name.to_owned(), bytes, None, Box::new(make), Arc::from(sample)))
 }
 
 /// Of codes that decode to networks.
@@ -144,7 +142,7 @@ fn code(entry: &RepresentationEntry, representation: Shared, mark: &str) -> Resu
         };
         Ok(Model { brdf, bytes, kept: Kept::Code(code) })
     };
-    Ok(Timed::new(name, bytes, shared, Box::new(make), Box::new(typical(PUBLISHED_HIDDEN))))
+    Ok(Timed::new(name, bytes, shared, Box::new(make), Arc::new(typical(PUBLISHED_HIDDEN))))
 }
 
 /// Of networks: their weights in single and half precision and in bytes, from one fit.
@@ -152,17 +150,26 @@ fn networks(entry: &RepresentationEntry, representation: Shared) -> Result<Vec<T
     let zero = representation.code(vec![0.0; representation.dim()]);
     let network = representation.network(&zero)?.with_context(|| format!("{}: no networks", entry.name))?;
     let hidden = network.hidden();
-    let fits = Arc::new(Fits { representation, made: Mutex::new(Vec::new()) });
-    let one = |(precision, suffix): (Precision, &str)| {
-        let fits = Arc::clone(&fits);
+    let fits = Fits { representation, made: Mutex::new(Vec::new()) };
+    Ok(rounded(entry.name, hidden, &PRECISIONS, Arc::new(move |material: &Material| fits.get(material))))
+}
+
+/// The network of a material.
+type Source = Arc<dyn Fn(&Material) -> Result<Nbrdf, EncodeError> + Send + Sync>;
+
+/// Networks from one source, stored in so many bits.
+fn rounded(name: &str, hidden: [usize; 2], precisions: &[(Precision, &str)], source: Source) -> Vec<Timed> {
+    let sample: Arc<dyn Brdf> = Arc::new(typical(hidden));
+    let one = |&(precision, suffix): &(Precision, &str)| {
+        let source = Arc::clone(&source);
         let make = move |material: &Material| {
-            let network = precision.round(&fits.get(material)?);
+            let network = precision.round(&source(material)?);
             Ok(pruned(&network, precision, Kept::Network))
         };
-        let name = format!("{}{suffix}", entry.name);
-        Timed::new(name, precision.bytes(hidden), None, Box::new(make), Box::new(typical(hidden)))
+        let (name, bytes) = (format!("{name}{suffix}"), precision.bytes(hidden));
+        Timed::new(name, bytes, None, Box::new(make), Arc::clone(&sample))
     };
-    Ok([(Precision::Single, ""), (Precision::Half, "_half"), (Precision::Byte, "_byte")].map(one).into())
+    precisions.iter().map(one).collect()
 }
 
 /// Networks of one kind, each fitted once; materials are told apart by what they share.
@@ -211,7 +218,7 @@ fn time(rungs: &mut [Timed]) {
 mod tests {
     use std::collections::BTreeSet;
 
-    use nbrdf_core::sampling::rus32k;
+    use nbrdf_core::sampling::{evaluate, rus32k};
     use nbrdf_core::{Directions, Rgb};
 
     use super::*;
@@ -219,9 +226,7 @@ mod tests {
 
     fn values(brdf: &dyn Brdf) -> Vec<Rgb> {
         let at: Vec<Directions> = rus32k().iter().step_by(97).copied().collect();
-        let mut out = vec![Rgb::BLACK; at.len()];
-        brdf.eval_into(&at, &mut out);
-        out
+        evaluate(brdf, &at)
     }
 
     #[test]

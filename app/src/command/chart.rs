@@ -9,17 +9,16 @@ mod text;
 
 use std::path::PathBuf;
 
-use anyhow::{Context, Result};
+use anyhow::Result;
 use clap::Args;
 use clap::builder::PossibleValuesParser;
 use nbrdf_core::cost::REPEATS;
-use nbrdf_core::{Database, Material, Split, atomic};
+use nbrdf_core::{Database, Material, Split};
 
 use super::Global;
 use crate::catalog::Catalog;
 use crate::measure::point::METRICS;
 use crate::measure::quality::Bench;
-use crate::report::png::png;
 use crate::{output, progress, report};
 use models::Models;
 use saved::{MOST_RUNS, Saved};
@@ -65,12 +64,7 @@ impl Chart {
             None => self.measure(global)?,
         };
         saved.check_metric(&self.metric)?;
-        let svg = draw::scatter(&saved, &self.metric, self.dark).svg();
-        let written = match self.output.extension().is_some_and(|extension| extension == "png") {
-            true => atomic::write(&self.output, &png(&svg)?),
-            false => atomic::write(&self.output, svg.as_bytes()),
-        };
-        written.with_context(|| format!("{}: cannot be written", self.output.display()))?;
+        output::write_chart(&self.output, &draw::scatter(&saved, &self.metric, self.dark).svg())?;
         report::print(global, &saved.json(&self.metric), || text::text(&saved, &self.metric))
     }
 

@@ -53,12 +53,6 @@ impl Bench {
         known.extend(models.keys().copied().zip(ns).filter(|(_, ns)| ns.is_finite()));
     }
 
-    /// The same for those that were never measured.
-    pub fn measure_new(&self, models: &[(Key, &dyn Brdf)], demands: &[Demand]) {
-        let new: Vec<_> = models.iter().copied().filter(|(key, _)| self.ns(*key).is_none()).collect();
-        self.measure(&new, demands);
-    }
-
     /// Of a model that was measured.
     pub fn ns(&self, key: Key) -> Option<f64> {
         let of =

@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use rayon::prelude::*;
 
-use super::planner::{Found, Known, Planner};
+use super::planner::{Key, Known, Planner};
 use super::{By, Options, PlanError, Watch};
 
 /// A model whose error is estimated to be this many times the tolerance is not looked at in the picture.
@@ -14,46 +14,43 @@ const SLACK: [f64; 2] = [1.3, 1.6];
 /// What is farther off than this in more bits is not nearer in fewer; rounding may be lucky.
 const ROUNDING: f64 = 1.25;
 
+/// What is looked for, and who watches.
+#[derive(Clone, Copy)]
+pub(super) struct Walk<'a> {
+    pub options: Options,
+    /// Models that are given up.
+    pub refused: &'a BTreeSet<Key>,
+    pub watch: &'a Watch<'a>,
+}
+
 impl Planner<'_> {
-    /// What every object can choose from. Materials go in parallel, objects of one material one after the other, so that
+    /// The rungs that serve each object. Materials go in parallel, objects of one material one after the other, so that
     /// no model is made twice.
-    pub(super) fn walk(
-        &self,
-        options: Options,
-        refused: &BTreeSet<(usize, usize)>,
-        watch: &Watch,
-    ) -> Result<Vec<Found>, PlanError> {
+    pub(super) fn walk(&self, walk: &Walk) -> Result<Vec<Vec<usize>>, PlanError> {
         let objects_of = |material: usize| (0..self.material.len()).filter(move |&o| self.material[o] == material);
         let one = |material: usize| {
-            let walks = objects_of(material).map(|object| Ok((object, self.climb(object, options, refused, watch)?)));
+            let walks = objects_of(material).map(|object| Ok((object, self.climb(object, walk)?)));
             walks.collect::<Result<Vec<_>, PlanError>>()
         };
         let walks = (0..self.models.materials.len()).into_par_iter().map(one).collect::<Result<Vec<_>, PlanError>>()?;
-        let mut all: Vec<(usize, Found)> = walks.into_iter().flatten().collect();
+        let mut all: Vec<(usize, Vec<usize>)> = walks.into_iter().flatten().collect();
         all.sort_by_key(|(object, _)| *object);
-        let mut found: Vec<Found> = all.into_iter().map(|(_, found)| found).collect();
-        if !options.exhaustive {
-            self.offer_shared(&mut found, options, refused, watch)?;
-            self.offer_siblings(&mut found, options, refused, watch)?;
+        let mut within: Vec<Vec<usize>> = all.into_iter().map(|(_, rungs)| rungs).collect();
+        if !walk.options.exhaustive {
+            self.offer_shared(&mut within, walk)?;
+            self.offer_siblings(&mut within, walk)?;
         }
-        Ok(found)
+        Ok(within)
     }
 
     /// What serves one object may serve others of the same material, and is there already.
-    fn offer_siblings(
-        &self,
-        found: &mut [Found],
-        options: Options,
-        refused: &BTreeSet<(usize, usize)>,
-        watch: &Watch,
-    ) -> Result<(), PlanError> {
-        for object in 0..found.len() {
-            let siblings = (0..found.len()).filter(|&other| self.material[other] == self.material[object]);
-            let rungs: BTreeSet<usize> = siblings.flat_map(|other| found[other].within.iter().copied()).collect();
+    fn offer_siblings(&self, within: &mut [Vec<usize>], walk: &Walk) -> Result<(), PlanError> {
+        for object in 0..within.len() {
+            let siblings = (0..within.len()).filter(|&other| self.material[other] == self.material[object]);
+            let rungs: BTreeSet<usize> = siblings.flat_map(|other| within[other].iter().copied()).collect();
             for rung in rungs {
-                let is_new = !found[object].within.contains(&rung) && !refused.contains(&(object, rung));
-                if is_new && self.serves(object, rung, options, watch)? {
-                    found[object].within.push(rung);
+                if !within[object].contains(&rung) && self.serves(object, rung, walk)? {
+                    within[object].push(rung);
                 }
             }
         }
@@ -61,34 +58,20 @@ impl Planner<'_> {
     }
 
     /// One object's walk, from the cheapest model up until no other can be cheaper than what was found.
-    pub(super) fn climb(
-        &self,
-        object: usize,
-        options: Options,
-        refused: &BTreeSet<(usize, usize)>,
-        watch: &Watch,
-    ) -> Result<Found, PlanError> {
+    pub(super) fn climb(&self, object: usize, walk: &Walk) -> Result<Vec<usize>, PlanError> {
+        let Walk { options, .. } = *walk;
         let slack = SLACK[usize::from(options.by == By::Bytes)];
         let (mut within, mut least) = (Vec::new(), f64::INFINITY);
         for (cost, rung) in self.order(object, options)? {
             if !options.exhaustive && cost > slack * least {
                 break;
             }
-            if !refused.contains(&(object, rung)) && self.serves(object, rung, options, watch)? {
+            if self.serves(object, rung, walk)? {
                 within.push(rung);
                 least = least.min(cost);
             }
         }
-        // Another form of the same network is the material itself, too.
-        let is_other = |rung: &usize| self.known(object, *rung).error != Some(0.0);
-        let is_alone = !within.iter().any(is_other);
-        let tried = (0..self.models.ladder.len()).filter(|&rung| is_alone && !refused.contains(&(object, rung)));
-        let tried = tried.filter(is_other).filter_map(|rung| {
-            let Known { error, estimate } = self.known(object, rung);
-            Some((rung, error.or(estimate).filter(|error| error.is_finite())?))
-        });
-        let closest = tried.min_by(|a, b| a.1.total_cmp(&b.1)).map(|(rung, _)| rung);
-        Ok(Found { within, closest })
+        Ok(within)
     }
 
     /// Rungs without shared parts from the cheapest up, with what they are expected to cost; all where nothing is to be
@@ -106,20 +89,15 @@ impl Planner<'_> {
     }
 
     /// Models with a part that all share, where that part can pay for itself.
-    fn offer_shared(
-        &self,
-        found: &mut [Found],
-        options: Options,
-        refused: &BTreeSet<(usize, usize)>,
-        watch: &Watch,
-    ) -> Result<(), PlanError> {
+    fn offer_shared(&self, within: &mut [Vec<usize>], walk: &Walk) -> Result<(), PlanError> {
+        let Walk { options, .. } = *walk;
         for (rung, kind) in self.models.ladder.iter().enumerate() {
             let Some((_, shared)) = kind.shared.as_ref().filter(|_| kind.bytes <= options.most_bytes) else { continue };
             let mut objects = Vec::new();
             let (mut saved, mut is_faster) = (0_usize, false);
-            for (object, found) in found.iter().enumerate() {
+            for (object, rungs) in within.iter().enumerate() {
                 let (mut ns, mut bytes) = (f64::INFINITY, usize::MAX);
-                for &own in &found.within {
+                for &own in rungs {
                     ns = ns.min(self.expected(object, own, By::Time)?);
                     bytes = bytes.min(self.model(object, own)?.bytes);
                 }
@@ -131,8 +109,8 @@ impl Planner<'_> {
             }
             if saved > *shared || is_faster {
                 for object in objects {
-                    if !refused.contains(&(object, rung)) && self.serves(object, rung, options, watch)? {
-                        found[object].within.push(rung);
+                    if self.serves(object, rung, walk)? {
+                        within[object].push(rung);
                     }
                 }
             }
@@ -140,19 +118,17 @@ impl Planner<'_> {
         Ok(())
     }
 
-    /// Whether a model is within the tolerance.
-    pub(super) fn serves(
-        &self,
-        object: usize,
-        rung: usize,
-        options: Options,
-        watch: &Watch,
-    ) -> Result<bool, PlanError> {
+    /// Whether a model is within the tolerance, and was not given up.
+    pub(super) fn serves(&self, object: usize, rung: usize, walk: &Walk) -> Result<bool, PlanError> {
+        let Walk { options, refused, watch } = *walk;
+        if refused.contains(&(object, rung)) {
+            return Ok(false);
+        }
         if (watch.cancelled)() {
             return Err(PlanError::Cancelled);
         }
         if let Some(finer) = self.models.ladder[rung].coarser_than.filter(|_| !options.exhaustive)
-            && !self.serves(object, finer, options, watch)?
+            && !self.serves(object, finer, walk)?
         {
             let Known { estimate, error } = self.known(object, finer);
             if error.or(estimate).is_none_or(|error| error > ROUNDING * options.tolerance) {

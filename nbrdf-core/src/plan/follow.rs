@@ -2,7 +2,8 @@
 
 use std::collections::BTreeSet;
 
-use super::choose::{Seat, choose};
+use super::choose::choose;
+use super::climb::Walk;
 use super::planner::Planner;
 use super::{By, Options, PlanError, Watch};
 
@@ -39,34 +40,30 @@ impl Planner<'_> {
         options: Options,
         watch: &Watch,
     ) -> Result<Followed, PlanError> {
-        let options =
-            |share: f64| Options { by: By::Time, exhaustive: false, tolerance: share * options.tolerance, ..options };
-        let Some(before) = before else {
-            return self.followed(object, self.best(object, options(LEAVES), watch)?, None);
+        let refused = BTreeSet::new();
+        let within = |share: f64| {
+            let options = Options { by: By::Time, exhaustive: false, tolerance: share * options.tolerance, ..options };
+            Walk { options, refused: &refused, watch }
         };
-        let rung = if self.serves(object, before, options(LEAVES), watch)? {
-            let other = self.best(object, options(TAKES_OVER), watch)?;
+        let Some(before) = before else {
+            return self.followed(object, self.best(object, &within(LEAVES))?, None);
+        };
+        let rung = if self.serves(object, before, &within(LEAVES))? {
+            let other = self.best(object, &within(TAKES_OVER))?;
             let is_worth_it = self.ns(object, other)? * WORTH_IT < self.ns(object, before)?;
-            let is_smooth = is_worth_it && self.change(object, before, other)? <= options(1.0).tolerance;
+            let is_smooth = is_worth_it && self.change(object, before, other)? <= options.tolerance;
             if is_smooth { other } else { before }
         } else {
-            self.smoothest(object, before, options(LEAVES), options(1.0).tolerance, watch)?
+            self.smoothest(object, before, options.tolerance, &within(LEAVES))?
         };
         self.followed(object, rung, Some(before))
     }
 
     /// The cheapest model within the tolerance whose picture is within `change` of the one before, else the nearest to it.
-    fn smoothest(
-        &self,
-        object: usize,
-        before: usize,
-        options: Options,
-        change: f64,
-        watch: &Watch,
-    ) -> Result<usize, PlanError> {
+    fn smoothest(&self, object: usize, before: usize, change: f64, walk: &Walk) -> Result<usize, PlanError> {
         let mut nearest = (f64::INFINITY, self.itself);
-        for (_, rung) in self.order(object, options)? {
-            if self.serves(object, rung, options, watch)? {
+        for (_, rung) in self.order(object, walk.options)? {
+            if self.serves(object, rung, walk)? {
                 let own = self.change(object, before, rung)?;
                 if own <= change {
                     return Ok(rung);
@@ -80,22 +77,16 @@ impl Planner<'_> {
     }
 
     fn followed(&self, object: usize, rung: usize, before: Option<usize>) -> Result<Followed, PlanError> {
-        let model = self.model(object, rung)?;
         let change = before.filter(|&before| before != rung).map(|before| self.change(object, before, rung));
-        Ok(Followed {
-            rung,
-            error: self.judge.error(object, model.brdf.as_ref()),
-            ns: self.ns(object, rung)?,
-            change: change.transpose()?,
-        })
+        let (error, ns) = (self.error(object, rung)?, self.ns(object, rung)?);
+        Ok(Followed { rung, error, ns, change: change.transpose()? })
     }
 
     /// What a plan of this object alone would choose.
-    fn best(&self, object: usize, options: Options, watch: &Watch) -> Result<usize, PlanError> {
-        let within = self.climb(object, options, &BTreeSet::new(), watch)?.within;
+    fn best(&self, object: usize, walk: &Walk) -> Result<usize, PlanError> {
+        let within = self.climb(object, walk)?;
         self.time(&within.iter().map(|&rung| (object, rung)).collect::<Vec<_>>())?;
-        let candidates = within.iter().map(|&rung| self.candidate(object, rung)).collect::<Result<_, PlanError>>()?;
-        let chosen = choose(&[Seat { material: self.material[object], candidates }], options.by);
+        let chosen = choose(&[self.seat(object, &within)?], walk.options.by);
         Ok(within[chosen[0]])
     }
 

@@ -5,6 +5,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 
 use super::bench::Bench;
 use super::choose::{Candidate, Seat, choose};
+use super::climb::Walk;
 use super::judge::Judge;
 use super::models::Models;
 use super::{Choice, Model, Options, Plan, PlanError, Rung, Watch};
@@ -31,16 +32,8 @@ pub(super) struct Known {
     pub error: Option<f64>,
 }
 
-/// What one object can choose from.
-pub(super) struct Found {
-    /// Rungs within the tolerance; the material itself always is.
-    pub within: Vec<usize>,
-    /// The closest of those that are not, where only the material itself is.
-    pub closest: Option<usize>,
-}
-
 /// Object and rung.
-type Key = (usize, usize);
+pub(super) type Key = (usize, usize);
 
 impl<'a> Planner<'a> {
     /// Of a view whose objects are of these materials, by their places.
@@ -86,20 +79,21 @@ impl<'a> Planner<'a> {
     pub fn plan(&self, options: Options, watch: &Watch) -> Result<Plan, PlanError> {
         let mut refused = BTreeSet::new();
         loop {
-            let found = self.walk(options, &refused, watch)?;
+            let within = self.walk(&Walk { options, refused: &refused, watch })?;
             let beside = self.beside(options, watch)?;
-            let seats = self.seats(&found, &beside, refused.is_empty())?;
+            let seats = self.seats(&within, &beside, refused.is_empty())?;
             let chosen: Vec<usize> =
-                choose(&seats, options.by).into_iter().zip(&found).map(|(i, found)| found.within[i]).collect();
-            let models = self.chosen_models(&chosen)?;
-            let own: Vec<&dyn Brdf> = models.iter().map(|model| model.brdf.as_ref()).collect();
+                choose(&seats, options.by).into_iter().zip(&within).map(|(i, rungs)| rungs[i]).collect();
+            let models = self.keyed(&chosen.iter().copied().enumerate().collect::<Vec<_>>())?;
+            let own: Vec<&dyn Brdf> = models.iter().map(|(_, model)| model.brdf.as_ref()).collect();
             let (planned, errors) = self.judge.together(&own);
             // Neighbours are seen together: what was good enough alone may not be beside others.
             let over = (0..errors.len()).filter(|&object| errors[object] > options.tolerance);
             let before = refused.len();
             refused.extend(over.filter_map(|object| self.to_refuse(object, &chosen, &errors)));
             if refused.len() == before {
-                return self.finished(&found, &chosen, &errors, planned, &beside);
+                let closest = within.iter().enumerate().map(|(object, rungs)| self.closest(object, rungs, &refused));
+                return self.finished(&closest.collect::<Vec<_>>(), &chosen, &errors, planned, &beside);
             }
         }
     }
@@ -128,9 +122,24 @@ impl<'a> Planner<'a> {
         Ok((0..self.material.len()).map(|object| (object, rung)).collect())
     }
 
+    /// Where nothing but the material itself is within the tolerance: the closest of the others that were tried.
+    fn closest(&self, object: usize, within: &[usize], refused: &BTreeSet<Key>) -> Option<usize> {
+        // Another form of the same network is the material itself, too.
+        let is_other = |rung: &usize| self.known(object, *rung).error != Some(0.0);
+        if within.iter().any(is_other) {
+            return None;
+        }
+        let others = (0..self.models.ladder.len()).filter(|&rung| !refused.contains(&(object, rung))).filter(is_other);
+        let tried = others.filter_map(|rung| {
+            let Known { error, estimate } = self.known(object, rung);
+            Some((rung, error.or(estimate).filter(|error| error.is_finite())?))
+        });
+        tried.min_by(|a, b| a.1.total_cmp(&b.1)).map(|(rung, _)| rung)
+    }
+
     fn finished(
         &self,
-        found: &[Found],
+        closest: &[Option<usize>],
         chosen: &[usize],
         errors: &[f64],
         planned: Image,
@@ -143,9 +152,7 @@ impl<'a> Planner<'a> {
         let others = candidates(&mut beside.iter().copied())?;
         let choice = |object: usize| {
             let (rung, Candidate { ns, bytes, .. }) = (chosen[object], own[object]);
-            let is_itself = self.known(object, rung).error == Some(0.0);
-            let closest = found[object].closest.filter(|_| is_itself);
-            let unmet = closest.map(|rung| Ok((rung, self.error(object, rung)?))).transpose();
+            let unmet = closest[object].map(|rung| Ok((rung, self.error(object, rung)?))).transpose();
             let beside = others.get(object).map(|other| (other.ns, other.bytes));
             Ok(Choice { rung, error: errors[object], ns, bytes, unmet: unmet?, beside })
         };
@@ -160,7 +167,7 @@ impl<'a> Planner<'a> {
     }
 
     /// The error of a model in the picture, looked at now if it was only estimated.
-    fn error(&self, object: usize, rung: usize) -> Result<f64, PlanError> {
+    pub(super) fn error(&self, object: usize, rung: usize) -> Result<f64, PlanError> {
         let known = self.known(object, rung);
         if let Some(error) = known.error {
             return Ok(error);
@@ -185,28 +192,27 @@ impl<'a> Planner<'a> {
     }
 
     /// What all objects can choose from, and what the plan is compared with, timed in one run.
-    fn seats(&self, found: &[Found], beside: &[Key], anew: bool) -> Result<Vec<Seat>, PlanError> {
-        let within = |(object, found): (usize, &Found)| found.within.iter().map(move |&rung| (object, rung)).collect();
-        let mut keys: Vec<Key> = found.iter().enumerate().flat_map(|own| -> Vec<_> { within(own) }).collect();
-        keys.extend(beside);
+    fn seats(&self, within: &[Vec<usize>], beside: &[Key], anew: bool) -> Result<Vec<Seat>, PlanError> {
+        let own = within.iter().enumerate().flat_map(|(object, rungs)| rungs.iter().map(move |&rung| (object, rung)));
+        let keys: Vec<Key> = own.chain(beside.iter().copied()).collect();
         if anew {
-            self.time_anew(&keys)?
+            self.time_anew(&keys)?;
         } else {
-            self.time(&keys)?
+            self.time(&keys)?;
         }
-        let seat = |(object, found): (usize, &Found)| {
-            let candidates = found.within.iter().map(|&rung| self.candidate(object, rung));
-            Ok(Seat { material: self.material[object], candidates: candidates.collect::<Result<_, PlanError>>()? })
-        };
-        found.iter().enumerate().map(seat).collect()
+        within.iter().enumerate().map(|(object, rungs)| self.seat(object, rungs)).collect()
+    }
+
+    /// What an object can choose from, timed.
+    pub(super) fn seat(&self, object: usize, within: &[usize]) -> Result<Seat, PlanError> {
+        let candidates = within.iter().map(|&rung| self.candidate(object, rung)).collect::<Result<_, PlanError>>()?;
+        Ok(Seat { material: self.material[object], candidates })
     }
 
     /// Times models that were not timed yet.
     pub(super) fn time(&self, keys: &[Key]) -> Result<(), PlanError> {
-        let models = self.keyed(keys)?;
-        let models: Vec<_> = models.iter().map(|(key, model)| (*key, model.brdf.as_ref())).collect();
-        self.bench.measure_new(&models, self.view().demands());
-        Ok(())
+        let is_new = |&&(object, rung): &&Key| self.bench_ns(object, rung).is_none();
+        self.time_anew(&keys.iter().filter(is_new).copied().collect::<Vec<_>>())
     }
 
     fn time_anew(&self, keys: &[Key]) -> Result<(), PlanError> {
@@ -228,10 +234,6 @@ impl<'a> Planner<'a> {
     /// The model of an object on a rung.
     pub(super) fn model(&self, object: usize, rung: usize) -> Result<Arc<Model>, PlanError> {
         self.models.get(self.material[object], rung).map_err(PlanError::Encode)
-    }
-
-    fn chosen_models(&self, chosen: &[usize]) -> Result<Vec<Arc<Model>>, PlanError> {
-        chosen.iter().enumerate().map(|(object, &rung)| self.model(object, rung)).collect()
     }
 
     pub(super) fn bench_ns(&self, object: usize, rung: usize) -> Option<f64> {

@@ -4,9 +4,11 @@ use std::collections::BTreeSet;
 use std::path::Path;
 
 use super::include::Read;
-use super::keys::{CameraKeys, ImageKeys, LightKeys, MeshKeys, ObjectKeys, PlaneKeys, RectangleKeys, SphereKeys};
+use super::keys::{
+    CameraKeys, ImageKeys, LightKeys, MeshKeys, ObjectKeys, PlaneKeys, RectangleKeys, SceneFile, SphereKeys,
+};
 use super::obj::Meshes;
-use super::value::{LARGEST, SMALLEST, bright, place, rectangle, unit, within};
+use super::value::{LARGEST, SMALLEST, bright, place, positive, rectangle, unit, within};
 use super::{
     Camera, Lamp, MAX_OBJECTS, MAX_PAIRS, MAX_SIDE, Object, Picture, Scene, SceneError, SceneProblem, Shape, include,
 };
@@ -17,17 +19,13 @@ pub(super) fn load(path: &Path) -> Result<Scene, SceneError> {
     let files = include::read(path)?;
     count(path, &files)?;
     let missing = |what: &str| SceneProblem::value(what, "it in this file or an included one", "none").of(path);
-    // The file that includes has the last word.
-    let image = files.iter().rev().find_map(|file| Some((file, file.keys.image.as_ref()?)));
-    let (file, image) = image.ok_or_else(|| missing("[image]"))?;
-    let picture = picture(image).map_err(|problem| problem.of(&file.path))?;
-    let camera = files.iter().rev().find_map(|file| Some((file, file.keys.camera.as_ref()?)));
-    let (file, camera) = camera.ok_or_else(|| missing("[camera]"))?;
-    let camera = seen_from(camera).map_err(|problem| problem.of(&file.path))?;
-    let tolerance = files.iter().rev().find_map(|file| Some((file, file.keys.tolerance?)));
-    let tolerance = tolerance.map(|(file, value)| {
-        within("tolerance", value, f64::MIN_POSITIVE, 1.0).map_err(|problem| problem.of(&file.path))
-    });
+    let (file, image) = last(&files, |keys| keys.image.as_ref()).ok_or_else(|| missing("[image]"))?;
+    let picture = picture(image).map_err(|problem| problem.of(file))?;
+    let (file, camera) = last(&files, |keys| keys.camera.as_ref()).ok_or_else(|| missing("[camera]"))?;
+    let camera = seen_from(camera).map_err(|problem| problem.of(file))?;
+    let tolerance = last(&files, |keys| keys.tolerance);
+    let tolerance =
+        tolerance.map(|(file, value)| positive("tolerance", value, 1.0).map_err(|problem| problem.of(file)));
     let mut scene =
         Scene { picture, tolerance: tolerance.transpose()?, camera, lamps: Vec::new(), objects: Vec::new() };
     let mut meshes = Meshes::default();
@@ -43,6 +41,11 @@ pub(super) fn load(path: &Path) -> Result<Scene, SceneError> {
     }
     check(&scene).map_err(|problem| problem.of(path))?;
     Ok(scene)
+}
+
+/// The file that has the last word on something, and what it says: the one that includes, before those that it includes.
+fn last<'a, T>(files: &'a [Read], get: impl Fn(&'a SceneFile) -> Option<T>) -> Option<(&'a Path, T)> {
+    files.iter().rev().find_map(|file| Some((file.path.as_path(), get(&file.keys)?)))
 }
 
 /// Refuses too many of anything, before anything that they name is read.

@@ -2,6 +2,8 @@
 
 use glam::DVec3;
 
+use super::Ray;
+use super::shape::rectangle;
 use crate::Rgb;
 use crate::render::Environment;
 
@@ -50,7 +52,7 @@ pub(super) struct Arriving {
     pub pdf: Option<f64>,
 }
 
-pub(super) fn vector(Rgb(rgb): Rgb) -> DVec3 {
+fn vector(Rgb(rgb): Rgb) -> DVec3 {
     DVec3::from_array(rgb.map(f64::from))
 }
 
@@ -83,12 +85,9 @@ impl Lamp {
         match self {
             Self::Point { .. } => None,
             Self::Area { centre, u, v, radiance } => {
-                let normal = u.cross(*v).normalize();
-                let distance = normal.dot(*centre - place) / normal.dot(direction);
-                let on = place + distance * direction - *centre;
-                let is_within = |edge: &DVec3| on.dot(*edge).abs() <= edge.length_squared();
-                let is_met = distance > 0.0 && distance.is_finite() && is_within(u) && is_within(v);
-                let pdf = is_met.then(|| area_pdf(*u, *v, direction, distance))??;
+                let ray = Ray { origin: place, direction };
+                let (distance, _) = rectangle(&ray, [*centre, *u, *v], f64::INFINITY)?;
+                let pdf = area_pdf(*u, *v, direction, distance)?;
                 Some(Arriving { direction, distance, radiance: vector(*radiance), pdf: Some(pdf) })
             }
             Self::Environment { map, strength, .. } => {

@@ -49,11 +49,8 @@ impl Shape {
                 Some(Hit::flat(ray, distance, *normal))
             }
             Self::Rectangle { centre, u, v } => {
-                let normal = u.cross(*v).normalize();
-                let distance = plane(ray, *centre, normal, limit)?;
-                let place = ray.at(distance) - *centre;
-                let is_within = |edge: &DVec3| place.dot(*edge).abs() <= edge.length_squared();
-                (is_within(u) && is_within(v)).then(|| Hit::flat(ray, distance, normal))
+                let (distance, normal) = rectangle(ray, [*centre, *u, *v], limit)?;
+                Some(Hit::flat(ray, distance, normal))
             }
             Self::Mesh(mesh) => mesh.hit(ray, limit),
         }
@@ -87,4 +84,13 @@ fn plane(ray: &Ray, point: DVec3, normal: DVec3, limit: f64) -> Option<f64> {
     let distance = normal.dot(point - ray.origin) / normal.dot(ray.direction);
     // A ray along the plane gives NaN or infinity, neither of which is in front and near.
     (distance > 0.0 && distance < limit && distance.is_finite()).then_some(distance)
+}
+
+/// Where a ray meets centre + a u + b v, a and b in −1..1, and the normal u × v there.
+pub(super) fn rectangle(ray: &Ray, [centre, u, v]: [DVec3; 3], limit: f64) -> Option<(f64, DVec3)> {
+    let normal = u.cross(v).normalize();
+    let distance = plane(ray, centre, normal, limit)?;
+    let place = ray.at(distance) - centre;
+    let is_within = |edge: DVec3| place.dot(edge).abs() <= edge.length_squared();
+    (is_within(u) && is_within(v)).then_some((distance, normal))
 }

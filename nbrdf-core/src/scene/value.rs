@@ -16,9 +16,14 @@ const BRIGHTEST: f64 = 1e9;
 pub(super) fn within(place: &str, value: f64, low: f64, high: f64) -> Result<f64, SceneProblem> {
     match value >= low && value <= high {
         true => Ok(value),
-        false if low == f64::MIN_POSITIVE => Err(SceneProblem::value(place, format!("above 0, {high} at most"), value)),
         false => Err(SceneProblem::value(place, format!("{low} to {high}"), value)),
     }
+}
+
+/// Above 0.
+pub(super) fn positive(place: &str, value: f64, high: f64) -> Result<f64, SceneProblem> {
+    let refused = |_| SceneProblem::value(place, format!("above 0, {high} at most"), value);
+    within(place, value, f64::MIN_POSITIVE, high).map_err(refused)
 }
 
 pub(super) fn place(name: &str, value: Vector) -> Result<DVec3, SceneProblem> {

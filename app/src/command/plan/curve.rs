@@ -2,10 +2,9 @@
 
 use std::path::Path;
 
-use anyhow::{Context, Result};
-use nbrdf_core::atomic;
+use anyhow::Result;
 
-use crate::report::png::png;
+use crate::output;
 use crate::report::svg::scatter::{Kind, Panel, Scatter, Shape, Spot};
 
 /// A point of a line.
@@ -81,11 +80,6 @@ impl Curve {
             panels: self.panels.into_iter().map(panel).collect(),
             is_dark: false,
         };
-        let svg = scatter.svg();
-        let written = match path.extension().is_some_and(|extension| extension == "png") {
-            true => atomic::write(path, &png(&svg)?),
-            false => atomic::write(path, svg.as_bytes()),
-        };
-        written.with_context(|| format!("{}: cannot be written", path.display()))
+        output::write_chart(path, &scatter.svg())
     }
 }
