@@ -13,7 +13,7 @@ use nbrdf_core::metric::{albedo_max, albedo_max_around};
 use nbrdf_core::nbrdf::file::read_anisotropic;
 use nbrdf_core::{Code, Library, Material, Split};
 
-pub use code_file::{MAX_NUMBERS, STDIN, read_code};
+pub use code_file::{MAX_NUMBERS, STDIN, parse_code, read_code};
 
 use crate::catalog::{Catalog, Reference};
 use crate::failure::Failure;

@@ -20,7 +20,7 @@ use crate::{Database, Material, Nbrdf, Split};
 
 pub use error::LibraryError;
 pub use manifest::{Provenance, Source};
-pub use scan::{Scanned, is_name, scan};
+pub use scan::{Scanned, is_name, scan, scan_archive};
 pub use unknown::UnknownMaterial;
 
 /// Longest name of a material \[bytes\].

@@ -19,6 +19,8 @@ pub use fields::FieldError;
 
 /// Largest file that is read \[bytes\]; published ones with RGB data stay below 60 MB.
 const MAX_FILE: u64 = 256 << 20;
+/// Larger numbers are damage, and no reflectance is larger; sums of these are finite.
+const LARGEST: f32 = 1e30;
 /// How far azimuths may be from those of a whole circle \[rad\].
 const WHOLE: f32 = 1e-3;
 /// Cosines below are taken as this: f_r at the horizon has no meaning.
@@ -144,8 +146,9 @@ impl Brdf for RglTable {
         } else {
             1.0
         };
-        let scale = jacobian / light.z.max(SMALLEST_COSINE);
-        Rgb([0, 1, 2].map(|channel| value(channel) * scale))
+        // Where next to no area is seen, a damaged table divides by next to nothing.
+        let scale = (jacobian / light.z.max(SMALLEST_COSINE)).min(LARGEST);
+        Rgb([0, 1, 2].map(|channel| (value(channel) * scale).min(LARGEST)))
     }
 }
 

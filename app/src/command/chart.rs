@@ -21,7 +21,10 @@ use crate::measure::point::METRICS;
 use crate::measure::quality::Bench;
 use crate::{output, progress, report};
 use models::Models;
-use saved::{MOST_RUNS, Saved};
+use saved::MOST_RUNS;
+
+pub use draw::scatter;
+pub use saved::Saved;
 
 /// Materials, repeats of a quick look.
 const QUICK: (usize, usize) = (4, 9);
@@ -64,7 +67,7 @@ impl Chart {
             None => self.measure(global)?,
         };
         saved.check_metric(&self.metric)?;
-        output::write_chart(&self.output, &draw::scatter(&saved, &self.metric, self.dark).svg())?;
+        output::write_chart(&self.output, &scatter(&saved, &self.metric, self.dark).svg())?;
         report::print(global, &saved.json(&self.metric), || text::text(&saved, &self.metric))
     }
 

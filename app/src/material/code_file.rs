@@ -1,5 +1,6 @@
 //! Codes as files: small JSON, from a file or a pipe, believed only after a look.
 
+use std::fmt::Display;
 use std::fs::File;
 use std::io::Read;
 use std::path::Path;
@@ -29,33 +30,37 @@ pub fn shown(argument: &str) -> String {
 
 /// Reads a code from a file, or from standard input for `-`. Its model has still to check its numbers.
 pub fn read_code(argument: &str) -> Result<Code> {
-    let invalid = |found: String| {
-        let advice = "make one with `nbrdf encode`";
-        Failure::InvalidFile(format!(
-            "{}: expected a code ({{\"schema\": 1, ...}}), {found}: {advice}",
-            shown(argument)
-        ))
-    };
     let mut bytes = Vec::new();
     let read = match argument {
         STDIN => std::io::stdin().lock().take(MAX_BYTES + 1).read_to_end(&mut bytes),
         path => File::open(path).and_then(|file| file.take(MAX_BYTES + 1).read_to_end(&mut bytes)),
     };
-    read.map_err(|error| invalid(format!("found none ({error})")))?;
+    read.map_err(|error| invalid(argument, &format_args!("found none ({error})")))?;
+    parse_code(argument, &bytes)
+}
+
+/// The same from bytes that came from `argument`.
+pub fn parse_code(argument: &str, bytes: &[u8]) -> Result<Code> {
+    let invalid = |found: &dyn Display| invalid(argument, found);
     if bytes.len() as u64 > MAX_BYTES {
-        return Err(invalid(format!("found more than {MAX_BYTES} bytes")).into());
+        return Err(invalid(&format_args!("found more than {MAX_BYTES} bytes")).into());
     }
-    let code: Code = serde_json::from_slice(&bytes).map_err(|error| invalid(format!("found {error}")))?;
+    let code: Code = serde_json::from_slice(bytes).map_err(|error| invalid(&format_args!("found {error}")))?;
     if code.schema != Code::SCHEMA {
-        return Err(invalid(format!("found schema {}", code.schema)).into());
+        return Err(invalid(&format_args!("found schema {}", code.schema)).into());
     }
     if code.material.as_deref().is_some_and(|name| !is_name(name)) {
-        return Err(invalid("found a material's name that is empty, too long or not printable".to_owned()).into());
+        return Err(invalid(&"found a material's name that is empty, too long or not printable").into());
     }
     if let Some(index) = code.code.iter().position(|v| !v.is_finite()) {
-        return Err(invalid(format!("found a number beyond all bounds at place {index}")).into());
+        return Err(invalid(&format_args!("found a number beyond all bounds at place {index}")).into());
     }
     Ok(code)
+}
+
+fn invalid(argument: &str, found: &dyn Display) -> Failure {
+    let expected = "expected a code ({\"schema\": 1, ...})";
+    Failure::InvalidFile(format!("{}: {expected}, {found}: make one with `nbrdf encode`", shown(argument)))
 }
 
 #[cfg(test)]

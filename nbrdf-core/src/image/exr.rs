@@ -14,11 +14,13 @@ use exr::{
     },
 };
 
-use super::{Image, ImageError, read::ImageReadProblem, read::check_size};
+use super::{Image, ImageError, read::ImageReadProblem, read::check_claim, read::check_size};
 use crate::{Rgb, atomic};
 
 /// Channels read at most; renderers' files hold a few dozen.
 const MAX_CHANNELS: usize = 64;
+/// Most pixels that a byte can stand for: deflate makes 1032 of one, and a pixel has three halves.
+const MOST_PER_BYTE: u64 = 256;
 /// Channels named in an error.
 const NAMED: usize = 8;
 /// What files start with.
@@ -55,11 +57,12 @@ impl Image {
 ///
 /// # Errors
 /// [`ImageReadProblem`]: beyond the size limits, other layers or channels, cut off or damaged.
-pub(super) fn read(from: impl Read + Seek) -> Result<Image, ImageReadProblem> {
+pub(super) fn read(from: impl Read + Seek, bytes: u64) -> Result<Image, ImageReadProblem> {
     let chunks = Reader::read_from_buffered(from, false).map_err(problem)?;
     check_channels(chunks.headers())?;
     let Vec2(width, height) = chunks.headers()[0].layer_size;
     check_size(width, height)?;
+    check_claim(width, height, bytes, MOST_PER_BYTE)?;
     // A damaged table of blocks may leave pixels out; they are not to pass for black.
     let create = move |_, _: &_| Image::new(width, height, vec![Rgb::splat(f32::NAN); width * height]);
     let set = move |image: &mut Image, at: Vec2<usize>, (red, green, blue): (f32, f32, f32)| {

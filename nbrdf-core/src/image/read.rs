@@ -2,7 +2,7 @@
 
 use std::{
     fs::File,
-    io::{self, BufRead, BufReader, Seek},
+    io::{self, BufRead, BufReader, Cursor, Seek},
     panic::{AssertUnwindSafe, catch_unwind},
     path::Path,
 };
@@ -51,6 +51,18 @@ pub enum ImageReadProblem {
         /// Rows.
         height: usize,
     },
+    /// A size that the file is too short for.
+    #[error(
+        "expected {width} x {height} pixels, as the header says, found {bytes} bytes, which cannot hold them: fetch or export it again"
+    )]
+    Claim {
+        /// Pixels per row.
+        width: usize,
+        /// Rows.
+        height: usize,
+        /// Length of the file.
+        bytes: u64,
+    },
     /// An OpenEXR file that holds other things than one picture in red, green and blue.
     #[error(
         "expected one layer with the channels R, G and B at full resolution and at most 64 channels, found {found}: export it again as such"
@@ -89,24 +101,33 @@ impl Image {
     /// [`ImageReadError`] naming the file: not there, of another form, beyond the size limits, cut off or damaged.
     pub fn read(path: &Path) -> Result<Self, ImageReadError> {
         let of = |problem: ImageReadProblem| ImageReadError { file: path.display().to_string(), problem };
-        open(path).and_then(decode).map_err(of)
+        let read = || -> Result<Self, ImageReadProblem> {
+            let file = File::open(path)?;
+            let bytes = file.metadata()?.len();
+            decode(BufReader::new(file), bytes)
+        };
+        read().map_err(of)
+    }
+
+    /// As [`read`](Self::read), from the bytes of a file.
+    ///
+    /// # Errors
+    /// [`ImageReadProblem`].
+    pub fn parse(bytes: &[u8]) -> Result<Self, ImageReadProblem> {
+        decode(Cursor::new(bytes), bytes.len() as u64)
     }
 }
 
-fn open(path: &Path) -> Result<BufReader<File>, ImageReadProblem> {
-    let file = File::open(path)?;
-    match file.metadata()?.len() {
-        bytes if bytes > MAX_FILE => Err(ImageReadProblem::FileTooLarge { bytes }),
-        _ => Ok(BufReader::new(file)),
+/// The picture in a file of so many bytes.
+fn decode(mut from: impl BufRead + Seek, bytes: u64) -> Result<Image, ImageReadProblem> {
+    if bytes > MAX_FILE {
+        return Err(ImageReadProblem::FileTooLarge { bytes });
     }
-}
-
-fn decode(mut from: impl BufRead + Seek) -> Result<Image, ImageReadProblem> {
     let start = from.fill_buf()?;
     if start.starts_with(&exr::SIGNATURE) {
-        guarded("OpenEXR", || exr::read(from))
+        guarded("OpenEXR", || exr::read(from, bytes))
     } else if hdr::SIGNATURES.iter().any(|signature| start.starts_with(signature)) {
-        guarded("Radiance", || hdr::read(from))
+        guarded("Radiance", || hdr::read(from, bytes))
     } else {
         Err(ImageReadProblem::UnknownForm)
     }
@@ -125,6 +146,13 @@ fn guarded(
 pub(super) fn check_size(width: usize, height: usize) -> Result<(), ImageReadProblem> {
     let fits = (1..=MAX_WIDTH).contains(&width) && (1..=MAX_HEIGHT).contains(&height);
     if fits { Ok(()) } else { Err(ImageReadProblem::Size { width, height }) }
+}
+
+/// Refuses a size that so many bytes cannot hold at `most` pixels a byte: memory is asked for what a file can fill, not
+/// for what its header claims.
+pub(super) fn check_claim(width: usize, height: usize, bytes: u64, most: u64) -> Result<(), ImageReadProblem> {
+    let pixels = width as u64 * height as u64;
+    if pixels <= bytes.saturating_mul(most) { Ok(()) } else { Err(ImageReadProblem::Claim { width, height, bytes }) }
 }
 
 #[cfg(test)]

@@ -59,11 +59,27 @@ pub fn scan(path: &Path) -> Result<Vec<Scanned>, LibraryError> {
     if found.is_empty() {
         return Err(LibraryError::Empty { path: path.display().to_string() });
     }
-    let mut networks = networks(&path.display().to_string(), found);
+    Ok(sorted(&path.display().to_string(), found))
+}
+
+/// As [`scan`], in the bytes of an archive that came from `place`.
+///
+/// # Errors
+/// As [`scan`].
+pub fn scan_archive(place: &str, bytes: &[u8]) -> Result<Vec<Scanned>, LibraryError> {
+    match zip::files_in(place, bytes)? {
+        found if found.is_empty() => Err(LibraryError::Empty { path: place.to_owned() }),
+        found => Ok(sorted(place, found)),
+    }
+}
+
+/// What became of the files, ordered by database and name, what cannot be read last.
+fn sorted(place: &str, found: Vec<Found>) -> Vec<Scanned> {
+    let mut networks = networks(place, found);
     networks.sort_by_cached_key(|Scanned { source, entry }| {
         (entry.is_err(), entry.as_ref().ok().map(|entry| (entry.database, entry.name.clone())), source.clone())
     });
-    Ok(networks)
+    networks
 }
 
 fn single(path: &Path) -> Result<Scanned, LibraryError> {

@@ -1,7 +1,6 @@
 //! Networks in a zip archive. Nothing is unpacked to disk; an archive that would harm one who does is refused.
 
 use std::{
-    fs,
     io::{Cursor, Read, Seek},
     path::Path,
 };
@@ -12,21 +11,30 @@ use super::{
     LibraryError, MAX_ENTRIES,
     scan::{Found, MAX_TOTAL},
 };
+use crate::bounded;
 use crate::nbrdf::file::{Form, MAX_FILE, ReadProblem, limited};
 
 /// Largest archive opened \[bytes\]; the published ones have less than half a million.
 const MAX_ARCHIVE: u64 = 64 << 20;
 
+/// Most bytes that deflate makes of one. Entries that unpack to more share their bytes, as only a hostile archive's do.
+const MOST_PER_BYTE: u64 = 1032;
+
 /// The files of networks in an archive. Everything else (`.json`, ...) is passed over without being read.
 pub(super) fn files(path: &Path) -> Result<Vec<Found>, LibraryError> {
-    let too_large = |limit| LibraryError::TooLarge { path: path.display().to_string(), limit };
-    let bad = |found: String| LibraryError::Archive { path: path.display().to_string(), found };
-    let mut bytes = Vec::new();
-    let file = fs::File::open(path).map_err(LibraryError::io(path))?;
-    file.take(MAX_ARCHIVE + 1).read_to_end(&mut bytes).map_err(LibraryError::io(path))?;
-    if bytes.len() as u64 > MAX_ARCHIVE {
-        return Err(too_large(MAX_ARCHIVE));
+    let bytes = bounded::read(path, MAX_ARCHIVE).map_err(LibraryError::io(path))?;
+    let place = path.display().to_string();
+    match bytes {
+        Some(bytes) => files_in(&place, &bytes),
+        None => Err(LibraryError::TooLarge { path: place, limit: MAX_ARCHIVE }),
     }
+}
+
+/// The same in the bytes of an archive.
+pub(super) fn files_in(place: &str, bytes: &[u8]) -> Result<Vec<Found>, LibraryError> {
+    let too_large = |limit| LibraryError::TooLarge { path: place.to_owned(), limit };
+    let bad = |found: String| LibraryError::Archive { path: place.to_owned(), found };
+    let most = MAX_TOTAL.min(bytes.len() as u64 * MOST_PER_BYTE);
     let mut archive = ZipArchive::new(Cursor::new(bytes)).map_err(|error| bad(error.to_string()))?;
     if archive.len() > MAX_ENTRIES {
         return Err(too_large(MAX_TOTAL));
@@ -40,7 +48,8 @@ pub(super) fn files(path: &Path) -> Result<Vec<Found>, LibraryError> {
         return Err(bad(format!("the name {name:?} leads outside the archive")));
     }
     let mut found = Vec::new();
-    let mut total = 0;
+    // What was unpacked, and what of it is kept.
+    let (mut total, mut kept) = (0, 0);
     for (index, name) in names.iter().enumerate() {
         let (parent, file_name) = name.split_at(name.rfind('/').map_or(0, |slash| slash + 1));
         if Form::of(file_name).is_none() {
@@ -48,8 +57,9 @@ pub(super) fn files(path: &Path) -> Result<Vec<Found>, LibraryError> {
         }
         let (bytes, cost) = entry(&mut archive, index);
         total += cost;
-        if total > MAX_TOTAL {
-            return Err(too_large(MAX_TOTAL));
+        kept += bytes.as_ref().map_or(0, Vec::len) as u64;
+        if total > MAX_TOTAL || kept > most {
+            return Err(too_large(most));
         }
         found.push(Found { parent: parent.to_owned(), file_name: file_name.to_owned(), bytes });
     }

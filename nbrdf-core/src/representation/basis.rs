@@ -92,11 +92,17 @@ impl BasisFile {
     /// [`TensorFileError`]: no such file, none of tensors, or a damaged one.
     pub fn open(path: &Path) -> Result<Opened, TensorFileError> {
         let bytes = TensorFile::read(path, MAX_BYTES)?;
-        let name = path.display().to_string();
-        match TensorFile::metadata_in(&name, &bytes, KEY)? {
-            Some(header) => Self::of(&header, TensorFile::parse(&name, &bytes)?).map(Opened::Basis),
-            None => Ok(Opened::Other(bytes)),
-        }
+        let basis = Self::parse(&path.display().to_string(), &bytes)?;
+        Ok(basis.map_or(Opened::Other(bytes), Opened::Basis))
+    }
+
+    /// The basis in bytes that came from `path`; none where they are something else.
+    ///
+    /// # Errors
+    /// [`TensorFileError::Invalid`]: no tensors, or damaged ones.
+    pub fn parse(path: &str, bytes: &[u8]) -> Result<Option<Self>, TensorFileError> {
+        let header = TensorFile::metadata_in(path, bytes, KEY)?;
+        header.map(|header| Self::of(&header, TensorFile::parse(path, bytes)?)).transpose()
     }
 
     fn of(header: &str, tensors: TensorFile) -> Result<Self, TensorFileError> {

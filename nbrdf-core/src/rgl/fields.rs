@@ -5,6 +5,8 @@
 
 use std::collections::BTreeMap;
 
+use super::LARGEST;
+
 /// Bytes that say what the file is.
 const MAGIC: &[u8] = b"tensor_file\0";
 /// More fields, or dimensions of one, are no material.
@@ -132,7 +134,7 @@ impl<'a> Fields<'a> {
         Ok(Self { fields })
     }
 
-    /// A field of f32; all numbers are finite.
+    /// A field of f32; no number is beyond ±[`LARGEST`].
     pub fn floats(&self, name: &str) -> Result<Tensor, FieldError> {
         let field = self.field(name)?;
         if field.kind != F32 {
@@ -140,8 +142,8 @@ impl<'a> Fields<'a> {
         }
         let (numbers, _) = field.data.as_chunks::<4>();
         let values: Vec<f32> = numbers.iter().map(|&bytes| f32::from_le_bytes(bytes)).collect();
-        if let Some(index) = values.iter().position(|value| !value.is_finite()) {
-            return Err(mismatch(name, "finite numbers", format!("{} as number {index}", values[index])));
+        if let Some(index) = values.iter().position(|value| value.is_nan() || value.abs() > LARGEST) {
+            return Err(mismatch(name, "finite numbers below 1e30", format!("{} as number {index}", values[index])));
         }
         Ok(Tensor { shape: field.shape.clone(), values })
     }

@@ -51,6 +51,16 @@ impl Meshes {
     }
 }
 
+impl Mesh {
+    /// All objects in the text of an OBJ file as one mesh.
+    ///
+    /// # Errors
+    /// [`SceneProblem::Mesh`]: no OBJ, no faces, too many, or corners that lead nowhere.
+    pub fn of_obj(bytes: &[u8]) -> Result<Self, SceneProblem> {
+        parse(&surface(bytes), 1.0, DVec3::ZERO)
+    }
+}
+
 /// The lines that tell a surface: the rest (groups, textures, colours) would split it. Normals are left out where a face
 /// has none: the reader would make some up.
 fn surface(bytes: &[u8]) -> Vec<u8> {
@@ -91,7 +101,33 @@ fn normal(corner: &[u8]) -> &[u8] {
     corner.split(|byte| *byte == b'/').nth(2).unwrap_or_default()
 }
 
+/// Refuses corners that lead before the first vertex or normal, or beyond all: the reader's products of indices would wrap,
+/// and a wrapped one may lead to another place.
+fn check_corners(lines: &[u8]) -> Result<(), SceneProblem> {
+    let (mut positions, mut normals) = (0, 0);
+    for (kind, corners) in lines.split(|byte| *byte == b'\n').map(words) {
+        match kind {
+            b"v" => positions += 1,
+            b"vn" => normals += 1,
+            _ => {}
+        }
+        for corner in corners.filter(|_| kind == b"f") {
+            let leads_nowhere = |index: &[u8], count: i64| {
+                // What is no number, the reader refuses itself.
+                let index = std::str::from_utf8(index).ok().and_then(|index| index.parse::<i64>().ok());
+                index.is_some_and(|index| index == 0 || index < -count || index > MAX_BYTES as i64)
+            };
+            if leads_nowhere(position(corner), positions) || leads_nowhere(normal(corner), normals) {
+                let found = format!("'{}'", String::from_utf8_lossy(corner));
+                return Err(SceneProblem::mesh("corners that lead to places and normals of the file", found));
+            }
+        }
+    }
+    Ok(())
+}
+
 fn parse(lines: &[u8], scale: f64, at: DVec3) -> Result<Mesh, SceneProblem> {
+    check_corners(lines)?;
     let options = LoadOptions { triangulate: true, ignore_points: true, ignore_lines: true, ..LoadOptions::default() };
     let no_materials = |_: &Path| Err(LoadError::GenericFailure);
     let (models, _) = tobj::load_obj_buf(&mut BufReader::new(lines), &options, no_materials)
@@ -153,4 +189,22 @@ fn around(positions: &[DVec3], indices: &[u32]) -> Option<Vec<DVec3>> {
 /// Normal, as long as twice the area.
 fn area([a, b, c]: &[DVec3; 3]) -> DVec3 {
     (*b - *a).cross(*c - *a)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn corners_that_lead_nowhere_are_refused() {
+        let mesh = |face: &str| Mesh::of_obj(format!("v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 0 1\n{face}\n").as_bytes());
+        for whole in ["f 1 2 3", "f -3 -2 -1", "f 1//1 2//1 3//-1"] {
+            assert_eq!(mesh(whole).unwrap().len(), 1, "{whole}");
+        }
+        // The last of them is 2 when it is multiplied by 3.
+        for face in ["f -4 2 3", "f 1//-4 2//1 3//1", "f 0 1 2", "f 1//1 2//1 3//6148914691236517206"] {
+            let error = mesh(face).unwrap_err().to_string();
+            assert!(error.contains("corners that lead to places and normals of the file"), "{face}: {error}");
+        }
+    }
 }

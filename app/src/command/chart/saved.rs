@@ -1,5 +1,6 @@
 //! The report behind a chart: printed by `--json`, drawn again by `--from`.
 
+use std::fmt::Display;
 use std::path::Path;
 
 use anyhow::Result;
@@ -41,15 +42,16 @@ pub struct Saved {
 impl Saved {
     /// Reads a report.
     pub fn load(path: &Path) -> Result<Self> {
-        let invalid = |found: &dyn std::fmt::Display| {
-            let path = path.display();
-            Failure::InvalidFile(format!(
-                "{path}: expected a report of `nbrdf chart --json`, found {found}: make it again"
-            ))
-        };
-        let bytes = nbrdf_core::bounded::read(path, MAX_BYTES).map_err(|error| invalid(&error))?;
-        let bytes = bytes.ok_or_else(|| invalid(&format_args!("more than {MAX_BYTES} bytes")))?;
-        let saved: Self = serde_json::from_slice(&bytes).map_err(|error| invalid(&error))?;
+        let name = path.display().to_string();
+        let bytes = nbrdf_core::bounded::read(path, MAX_BYTES).map_err(|error| invalid(&name, &error))?;
+        let bytes = bytes.ok_or_else(|| invalid(&name, &format_args!("more than {MAX_BYTES} bytes")))?;
+        Self::parse(&name, &bytes)
+    }
+
+    /// The report in bytes that came from `path`.
+    pub fn parse(path: &str, bytes: &[u8]) -> Result<Self> {
+        let invalid = |found: &dyn Display| invalid(path, found);
+        let saved: Self = serde_json::from_slice(bytes).map_err(|error| invalid(&error))?;
         if saved.schema != 1 {
             return Err(invalid(&format_args!("schema {}", saved.schema)).into());
         }
@@ -115,6 +117,10 @@ impl Saved {
         value["stable"] = stability.is_stable().into();
         value
     }
+}
+
+fn invalid(path: &str, found: &dyn Display) -> Failure {
+    Failure::InvalidFile(format!("{path}: expected a report of `nbrdf chart --json`, found {found}: make it again"))
 }
 
 const fn one() -> usize {

@@ -67,7 +67,7 @@ fn layers(of: &[(&str, &[&str])]) -> Vec<u8> {
 }
 
 fn read(bytes: &[u8]) -> Result<Image, ImageReadProblem> {
-    decode(Cursor::new(bytes))
+    Image::parse(bytes)
 }
 
 #[test]
@@ -171,6 +171,19 @@ fn a_file_cut_anywhere_is_refused() {
             assert!(read(&bytes[..end]).is_err(), "{end} of {} bytes", bytes.len());
         }
     }
+}
+
+#[test]
+fn a_header_that_claims_more_than_the_file_can_hold_is_refused_before_memory_is_asked_for() {
+    let claim = b"#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 4096 +X 8192\n\x01\x01\x01\x80";
+    let error = read(claim).unwrap_err();
+    assert!(matches!(error, ImageReadProblem::Claim { width: 8192, height: 4096, .. }), "{error}");
+    // What compresses best is still read: black, in halves.
+    let black = Image::black(2048, 1024);
+    for compression in [Compression::ZIP16, Compression::PIZ, Compression::RLE] {
+        assert_eq!(read(&exr(&black, compression)).unwrap(), black, "{compression:?}");
+    }
+    assert_eq!(read(&hdr(&black)).unwrap(), black);
 }
 
 proptest! {

@@ -1,0 +1,7 @@
+//! Zip archives of networks.
+
+#![no_main]
+
+use nbrdf_fuzz::{BASE, Limit, check, readers};
+
+libfuzzer_sys::fuzz_target!(|bytes: &[u8]| check(Limit { base: BASE, per_byte: 4096 }, readers::archive, bytes));
