@@ -4,6 +4,11 @@
 mod chart;
 #[path = "cli/codes.rs"]
 mod codes;
+#[path = "cli/determinism.rs"]
+mod determinism;
+#[cfg(unix)]
+#[path = "cli/killed.rs"]
+mod killed;
 #[path = "cli/learn.rs"]
 mod learn;
 #[path = "cli/linear.rs"]
@@ -16,7 +21,12 @@ mod measured;
 mod plan;
 #[path = "cli/reconstruct.rs"]
 mod reconstruct;
+#[cfg(unix)]
+#[path = "cli/refused.rs"]
+mod refused;
 mod support;
+#[path = "cli/together.rs"]
+mod together;
 
 use std::io::{Cursor, Write};
 
@@ -27,6 +37,17 @@ use nbrdf_core::render::Environment;
 use nbrdf_core::{Image, Rgb};
 use support::Place;
 use zip::{ZipWriter, write::SimpleFileOptions};
+
+/// Samples of a grey material.
+const SAMPLES: &str = "light_x,light_y,light_z,view_x,view_y,view_z,r,g,b\n\
+                       0,0,1,0,0,1,.1,.2,.3\n0.6,0,0.8,0,0.6,0.8,.1,.2,.3\n0,.8,.6,0,-.6,.8,.2,.2,.3\n";
+
+/// A scene that is soon planned.
+const SCENE: &str = "[image]\nwidth = 24\nheight = 16\nsamples = 1\n\
+                     [camera]\nfrom = [0, 0.5, 6]\nto = [0, 0, 0]\nfield = 34\n\
+                     [[light]]\nkind = \"environment\"\nmap = \"softboxes\"\nseen = false\n\
+                     [[object]]\nname = \"a\"\nmaterial = \"red-plastic\"\n\
+                     sphere = { centre = [0, 0, 0], radius = 0.9 }\n";
 
 fn chrome_npz() -> Vec<u8> {
     npy::write_npz(&builtin::shared().get("chrome").unwrap().network)

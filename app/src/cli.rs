@@ -4,6 +4,7 @@ use std::process::ExitCode;
 
 use anyhow::Result;
 use clap::{Arg, CommandFactory as _, FromArgMatches as _, Parser, Subcommand};
+use nbrdf_core::simd::{InstructionSet, VARIABLE};
 
 use crate::command::Global;
 use crate::command::{
@@ -12,7 +13,7 @@ use crate::command::{
     manifold::Manifold, plan::Plan, reconstruct::Reconstruct, render::Render, sampling::Sampling, speed::Speed,
     train::Train,
 };
-use crate::failure::{advice, exit_code};
+use crate::failure::{Failure, advice, exit_code};
 
 /// Measured materials as 32 numbers: walk between them, render them, judge them.
 #[derive(Debug, Parser)]
@@ -74,8 +75,16 @@ pub fn run() -> ExitCode {
     }
 }
 
+/// Refuses a set of instructions that this processor does not have.
+fn check_instructions() -> Result<()> {
+    let Err(found) = InstructionSet::asked() else { return Ok(()) };
+    let here: Vec<&str> = InstructionSet::available().into_iter().map(InstructionSet::name).collect();
+    Err(Failure::Usage(format!("{VARIABLE}: expected one of {}, found '{found}'", here.join(", "))).into())
+}
+
 impl Cli {
     fn execute(&self) -> Result<()> {
+        check_instructions()?;
         if let Some(threads) = self.global.threads {
             rayon::ThreadPoolBuilder::new().num_threads(threads.into()).build_global()?;
         }

@@ -36,7 +36,7 @@ pub fn exit_code(error: &anyhow::Error) -> u8 {
             };
         }
         let usage = cause.is::<UnknownMaterial>() || cause.is::<WeightsError>();
-        let invalid = cause.is::<LibraryError>()
+        let invalid = cause.downcast_ref().is_some_and(invalid_library)
             || cause.is::<ReadError>()
             || cause.is::<MeasuredError>()
             || cause.is::<DecodeError>()
@@ -60,6 +60,13 @@ pub fn exit_code(error: &anyhow::Error) -> u8 {
         }
     }
     1
+}
+
+fn invalid_library(error: &LibraryError) -> bool {
+    match error {
+        LibraryError::Io { problem, .. } => is_named_wrongly(problem),
+        _ => true,
+    }
 }
 
 fn invalid_checkpoint(error: &CheckpointError) -> bool {

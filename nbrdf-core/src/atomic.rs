@@ -1,7 +1,7 @@
 //! Files that are either whole or not there.
 
 use std::{
-    fs::{self, OpenOptions},
+    fs::{self, File, OpenOptions},
     io::{Error, ErrorKind, Result, Write},
     path::{Path, PathBuf},
 };
@@ -20,11 +20,50 @@ pub fn write(path: &Path, bytes: &[u8]) -> Result<()> {
     if is_no_file(&path) {
         return OpenOptions::new().write(true).open(&path)?.write_all(bytes);
     }
-    let mut file = beside(&path)?;
+    stage(&path, bytes)?.persist(&path).map_err(|failed| failed.error)?;
+    Ok(())
+}
+
+/// Writes files that mean something together only. All are complete before any gets its name, and the first is away while
+/// the others do: whoever is stopped between leaves a set that lacks a file, never one of old and new files.
+///
+/// # Errors
+/// As [`write()`]. Before the first file is taken away, nothing is touched.
+pub fn write_together(files: &[(PathBuf, Vec<u8>)]) -> Result<()> {
+    let Some((first, _)) = files.first() else { return Ok(()) };
+    let _held = hold(folder_of(first));
+    let staged = files.iter().map(|(path, bytes)| Ok((path, stage(path, bytes)?))).collect::<Result<Vec<_>>>()?;
+    match fs::remove_file(first) {
+        Err(error) if error.kind() != ErrorKind::NotFound => return Err(error),
+        _ => {}
+    }
+    // The first comes last.
+    for (path, file) in staged.into_iter().rev() {
+        file.persist(path).map_err(|failed| failed.error)?;
+    }
+    Ok(())
+}
+
+/// A folder that others wait for, until this is dropped or its process ends.
+#[must_use]
+pub struct Held(#[expect(dead_code, reason = "holds by being open")] Option<File>);
+
+/// Keeps others from replacing a folder's files together while this does. Where a file system knows no locks, there is none.
+pub fn hold(folder: &Path) -> Held {
+    Held(File::open(folder).ok().filter(|folder| folder.lock().is_ok()))
+}
+
+/// Keeps others from replacing a folder's files together while they are read, by any number of readers at once.
+pub fn hold_to_read(folder: &Path) -> Held {
+    Held(File::open(folder).ok().filter(|folder| folder.lock_shared().is_ok()))
+}
+
+/// A complete file under a temporary name.
+fn stage(path: &Path, bytes: &[u8]) -> Result<NamedTempFile> {
+    let mut file = beside(path)?;
     file.write_all(bytes)?;
     file.as_file().sync_all()?;
-    file.persist(&path).map_err(|failed| failed.error)?;
-    Ok(())
+    Ok(file)
 }
 
 /// Where a symbolic link leads to; another path is itself.
@@ -59,15 +98,16 @@ pub fn check(path: &Path) -> Result<()> {
 
 /// A temporary file in the folder of `path`.
 fn beside(path: &Path) -> Result<NamedTempFile> {
-    let folder = match path.parent() {
-        Some(parent) if !parent.as_os_str().is_empty() => parent,
-        _ => Path::new("."),
-    };
+    let folder = folder_of(path);
     if !folder.is_dir() {
         let what = format!("the folder {} does not exist: create it first", folder.display());
         return Err(Error::new(ErrorKind::NotFound, what));
     }
     ordinary_permissions(&mut Builder::new()).prefix(".nbrdf-").tempfile_in(folder)
+}
+
+fn folder_of(path: &Path) -> &Path {
+    path.parent().filter(|parent| !parent.as_os_str().is_empty()).unwrap_or(Path::new("."))
 }
 
 /// Temporary files are private to their owner; a finished file should be as readable as any other.
@@ -86,7 +126,7 @@ fn ordinary_permissions<'a, 'b, 'c>(builder: &'a mut Builder<'b, 'c>) -> &'a mut
 mod tests {
     use std::{fs, io::ErrorKind};
 
-    use super::{check, write};
+    use super::{check, hold, write, write_together};
 
     #[test]
     fn a_written_file_holds_the_bytes_and_nothing_else_is_left() {
@@ -114,6 +154,33 @@ mod tests {
         write(std::path::Path::new("/dev/null"), b"gone").unwrap();
         check(std::path::Path::new("/dev/null")).unwrap();
         assert!(!fs::metadata("/dev/null").unwrap().is_file());
+    }
+
+    #[test]
+    fn a_set_is_replaced_as_a_whole_or_not_at_all() {
+        let folder = tempfile::tempdir().unwrap();
+        let set = |text: &str| ["a", "b", "c"].map(|name| (folder.path().join(name), text.as_bytes().to_vec()));
+        for text in ["old", "new"] {
+            write_together(&set(text)).unwrap();
+            assert!(set(text).iter().all(|(path, bytes)| fs::read(path).unwrap() == *bytes));
+        }
+        assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 3);
+        // A file that cannot be staged keeps all others as they are.
+        let mut bad = set("bad").to_vec();
+        bad[2].0 = folder.path().join("nowhere/c");
+        assert!(write_together(&bad).is_err());
+        assert!(set("new").iter().all(|(path, bytes)| fs::read(path).unwrap() == *bytes));
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn a_folder_that_is_held_is_waited_for() {
+        let folder = tempfile::tempdir().unwrap();
+        let held = hold(folder.path());
+        let other = std::fs::File::open(folder.path()).unwrap();
+        assert!(matches!(other.try_lock(), Err(std::fs::TryLockError::WouldBlock)));
+        drop(held);
+        other.try_lock().unwrap();
     }
 
     #[test]

@@ -12,7 +12,7 @@ use pulp::{Simd, WithSimd};
 
 pub(crate) use arctangent::angle;
 pub(crate) use exponential::{exp, exp_minus_one};
-pub use instruction_set::InstructionSet;
+pub use instruction_set::{InstructionSet, VARIABLE};
 pub(crate) use lanes::{LANES, Lanes};
 pub(crate) use logarithm::ln;
 

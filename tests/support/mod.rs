@@ -2,7 +2,7 @@
 
 use std::io::Write;
 use std::path::Path;
-use std::process::{Command, Output, Stdio};
+use std::process::{Child, Command, Output, Stdio};
 
 use nbrdf_core::library::builtin;
 use nbrdf_core::nbrdf::npy;
@@ -44,6 +44,14 @@ impl Place {
         let mut names: Vec<_> = entries.map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect();
         names.sort();
         names
+    }
+
+    /// Starts the program and does not wait for it; what it says is thrown away.
+    #[allow(dead_code, reason = "not every test binary stops programs")]
+    pub fn start(&self, arguments: &[&str]) -> Child {
+        let mut command = Command::new(env!("CARGO_BIN_EXE_nbrdf"));
+        command.args(arguments).current_dir(self.path());
+        command.stdin(Stdio::null()).stdout(Stdio::null()).stderr(Stdio::null()).spawn().unwrap()
     }
 
     pub fn run(&self, arguments: &[&str]) -> Run {

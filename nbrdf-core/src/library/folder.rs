@@ -42,14 +42,22 @@ pub(super) fn load(folder: &Path) -> Result<Library, LibraryError> {
         }
         Ok(bytes)
     };
-    Library::from_bytes(&read(TENSORS)?, &read(MANIFEST)?)
+    let _held = atomic::hold_to_read(folder);
+    let tensors = read(TENSORS)?;
+    let whole = read(MANIFEST).and_then(|manifest| Library::from_bytes(&tensors, &manifest));
+    // Where a save was stopped between its two renames, the manifest that goes with the tensors is the staged one.
+    whole.or_else(|error| match read(STAGED).and_then(|manifest| Library::from_bytes(&tensors, &manifest)) {
+        Ok(library) => Ok(library),
+        Err(_) => Err(error),
+    })
 }
 
 /// Both files are complete under temporary names before either is renamed. Should the second rename fail, the first
-/// is taken back; should the machine stop between the two, the checksum in the manifest tells.
+/// is taken back; should the process be stopped between the two, the staged manifest is read.
 pub(super) fn save(library: &Library, folder: &Path) -> Result<(), LibraryError> {
     let (tensors, manifest) = manifest::to_bytes(library)?;
     fs::create_dir_all(folder).map_err(LibraryError::io(folder))?;
+    let _held = atomic::hold(folder);
     let tensors_path = folder.join(TENSORS);
     let before = match fs::read(&tensors_path) {
         Ok(bytes) => Some(bytes),

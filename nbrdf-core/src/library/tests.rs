@@ -131,6 +131,24 @@ fn files_of_two_different_saves_are_told_apart() {
 }
 
 #[test]
+fn a_save_stopped_between_its_two_renames_is_read_as_finished() {
+    let [old, new] = [(); 2].map(|()| tempfile::tempdir().unwrap());
+    sample().save(old.path()).unwrap();
+    let after = Library::new(Provenance::default(), None, vec![Entry::new("chrome", "c.h5", network(1.0))]).unwrap();
+    after.save(new.path()).unwrap();
+    // Staged, and stopped before the first rename: the old library.
+    fs::copy(new.path().join("manifest.json"), old.path().join(".manifest.json.new")).unwrap();
+    assert_eq!(Library::load(old.path()).unwrap(), sample());
+    // Stopped after it: the new one.
+    fs::copy(new.path().join("library.safetensors"), old.path().join("library.safetensors")).unwrap();
+    assert_eq!(Library::load(old.path()).unwrap(), after);
+    // The next save leaves nothing of that.
+    sample().save(old.path()).unwrap();
+    assert_eq!(Library::load(old.path()).unwrap(), sample());
+    assert_eq!(names(old.path()), ["library.safetensors", "manifest.json"]);
+}
+
+#[test]
 fn a_manifest_and_tensors_that_disagree_are_refused() {
     let row = r#"{"name": "chrome", "database": "merl", "held_out": true, "source_file": "f"}"#;
     let manifest = |schema: u32, rows: &str| {
@@ -244,6 +262,27 @@ fn many_small_bombs_are_stopped_at_the_limit_of_an_archive() {
     let files: Vec<(&str, &[u8])> = names.iter().map(|name| (name.as_str(), zeros.as_slice())).collect();
     let (_keep, path) = written("a.zip", &zip_of(&files));
     assert!(matches!(scan(&path), Err(LibraryError::TooLarge { .. })));
+}
+
+#[test]
+fn entries_that_share_their_bytes_unpack_to_no_more_than_the_archive_could_hold() {
+    let single = zip_of(&[("00.h5", &vec![0; 4 << 20])]);
+    // The central directory again and again: 40 entries of 4 MB each in 7 kB.
+    let head = single.windows(4).rposition(|bytes| bytes == b"PK\x01\x02").unwrap();
+    let end = single.windows(4).rposition(|bytes| bytes == b"PK\x05\x06").unwrap();
+    let mut shared = single[..head].to_vec();
+    for i in 0..40_u8 {
+        let mut entry = single[head..end].to_vec();
+        entry[46..48].copy_from_slice(&[b'0' + i / 10, b'0' + i % 10]);
+        shared.extend(entry);
+    }
+    let mut tail = single[end..].to_vec();
+    tail[8..12].copy_from_slice(&[40, 0, 40, 0]);
+    tail[12..16].copy_from_slice(&(40 * (end - head) as u32).to_le_bytes());
+    shared.extend(tail);
+    assert!(shared.len() < 10_000);
+    let error = scan_archive("shared.zip", &shared).unwrap_err();
+    assert!(matches!(&error, LibraryError::TooLarge { limit, .. } if *limit < 10 << 20), "{error}");
 }
 
 #[test]

@@ -104,10 +104,8 @@ pub fn write(path: &Path, network: &Nbrdf) -> io::Result<()> {
         Some("npy") => {
             let stem = path.file_stem().and_then(|stem| stem.to_str()).unwrap_or_default();
             let file = |array: &str| -> PathBuf { path.with_file_name(format!("{stem}_{array}.npy")) };
-            ARRAYS
-                .iter()
-                .zip(npy::write_npy(network))
-                .try_for_each(|(array, bytes)| atomic::write(&file(array), &bytes))
+            let files = ARRAYS.iter().zip(npy::write_npy(network)).map(|(array, bytes)| (file(array), bytes));
+            atomic::write_together(&files.collect::<Vec<_>>())
         }
         _ => {
             let what = format!("{}: expected the extension .npz, .safetensors or .npy", path.display());

@@ -8,6 +8,10 @@ use pulp::{Simd, WithSimd};
 use crate::nbrdf::fit::random_network;
 use crate::{Directions, Rgb};
 
+/// Environment variable that names the set to use in place of the fastest one, so that results of other processors can be
+/// looked at here.
+pub const VARIABLE: &str = "NBRDF_INSTRUCTIONS";
+
 /// A set of vector instructions.
 #[derive(Clone, Copy, Debug)]
 pub enum InstructionSet {
@@ -37,11 +41,24 @@ impl InstructionSet {
         found
     }
 
-    /// The one that evaluates a network fastest, found once by trying: on some processors 512 bits are as fast as two
+    /// The one that [`VARIABLE`] asks for; none where it is not set.
+    ///
+    /// # Errors
+    /// What it says, where that is no set that this processor has.
+    pub fn asked() -> Result<Option<Self>, String> {
+        let Some(name) = std::env::var_os(VARIABLE) else { return Ok(None) };
+        let found = Self::available().into_iter().find(|set| name == set.name());
+        found.map(Some).ok_or_else(|| name.to_string_lossy().into_owned())
+    }
+
+    /// The one that is [`asked`](Self::asked) for, else the one that evaluates a network fastest, found once by trying: on some processors 512 bits are as fast as two
     /// times 256, on others slower. All vector sets give the same bits, so that it does not matter which one wins.
     pub fn fastest() -> Self {
         static FASTEST: OnceLock<InstructionSet> = OnceLock::new();
         *FASTEST.get_or_init(|| {
+            if let Ok(Some(asked)) = Self::asked() {
+                return asked;
+            }
             // The portable path is many times slower than any other: no contestant.
             let mut vectors = Self::available();
             if vectors.len() > 1 {

@@ -20,9 +20,11 @@ const LONGEST: usize = 96;
 /// Largest index of before that is read, and largest material that is copied \[bytes\].
 const MOST_BYTES: u64 = 1 << 30;
 
-/// Writes every model once, and `plan.json`; what an earlier plan has written there is taken away.
+/// Writes every model once, then `plan.json`; what an earlier plan has written there and this one has not is taken away
+/// at last: at any moment, every file that the index names is there and whole.
 pub fn export(folder: &Path, opened: &Opened, planner: &Planner, plan: &Plan) -> Result<()> {
-    clear(folder);
+    let _held = atomic::hold(folder);
+    let before = listed(folder);
     let mut written: BTreeMap<(usize, usize), String> = BTreeMap::new();
     let mut names = BTreeSet::new();
     let mut objects: Vec<Value> = Vec::new();
@@ -47,19 +49,21 @@ pub fn export(folder: &Path, opened: &Opened, planner: &Planner, plan: &Plan) ->
     }
     let path = folder.join(INDEX);
     let text = format!("{:#}\n", json!({"schema": 1, "objects": objects}));
-    atomic::write(&path, text.as_bytes()).with_context(|| format!("{}: cannot be written", path.display()))
+    atomic::write(&path, text.as_bytes()).with_context(|| format!("{}: cannot be written", path.display()))?;
+    let now: BTreeSet<String> = written.values().map(|name| name.to_lowercase()).collect();
+    for name in before.iter().filter(|name| !now.contains(&name.to_lowercase())) {
+        // What is gone already need not be taken away.
+        let _ = std::fs::remove_file(folder.join(name));
+    }
+    Ok(())
 }
 
-/// Takes away the files that an earlier index lists, plain names only.
-fn clear(folder: &Path) {
+/// The files that an earlier index lists, plain names only.
+fn listed(folder: &Path) -> Vec<String> {
     let index = bounded::read(&folder.join(INDEX), MOST_BYTES).ok().flatten();
     let before: Value = index.and_then(|bytes| serde_json::from_slice(&bytes).ok()).unwrap_or_default();
-    for object in before["objects"].as_array().into_iter().flatten() {
-        if let Some(name) = object["file"].as_str().filter(|name| !name.contains(['/', '\\']) && *name != INDEX) {
-            // What is gone already need not be taken away.
-            let _ = std::fs::remove_file(folder.join(name));
-        }
-    }
+    let names = before["objects"].as_array().into_iter().flatten().filter_map(|object| object["file"].as_str());
+    names.filter(|name| !name.contains(['/', '\\']) && *name != INDEX).map(str::to_owned).collect()
 }
 
 /// A file's name without its extension; another one for every model.
