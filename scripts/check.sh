@@ -53,4 +53,8 @@ else
     echo "SKIPPED: no published data in $NBRDF_DATA"
 fi
 
+say "fuzzing"
+# On demand: every dependency is compiled anew for it. The same readers have met changed files in the tests above.
+if [ -n "${NBRDF_FUZZ:-}" ]; then scripts/fuzz.sh "$NBRDF_FUZZ"; else echo "SKIPPED: NBRDF_FUZZ=20000 would fuzz every reader so often"; fi
+
 say "all good"
