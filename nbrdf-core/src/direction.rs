@@ -5,9 +5,14 @@
 
 use glam::{DVec3, Vec3};
 
+use crate::Warning;
+
 /// Light and view whose sum is shorter have no half vector worth the name (both within 0.03° of the horizon, on opposite
 /// sides): the normal takes its place.
 pub(crate) const OPPOSITE: f32 = 1e-3;
+
+/// How far from 1 the length of a direction may be.
+const LENGTH: f32 = 1e-3;
 
 /// Light and view, unit vectors away from the surface, in the shading frame (normal is +z).
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -41,9 +46,28 @@ pub struct Rusinkiewicz {
 }
 
 impl Directions {
-    /// Light and view, both unit vectors.
+    /// Light and view, both unit vectors: they are taken as they are, since evaluations have no time to look; vectors that
+    /// may be of other lengths go through [`normalized`](Self::normalized), doubtful pairs are told by
+    /// [`warning`](Self::warning).
     pub const fn new(light: Vec3, view: Vec3) -> Self {
         Self { light, view }
+    }
+
+    /// Light and view of any length; none where one vanishes or is not finite.
+    pub fn normalized(light: Vec3, view: Vec3) -> Option<Self> {
+        Some(Self::new(light.try_normalize()?, view.try_normalize()?))
+    }
+
+    /// That one of the two is no unit vector, by more than rounding.
+    pub fn warning(self) -> Option<Warning> {
+        let lengths = [self.light, self.view].map(Vec3::length);
+        let odd = lengths.into_iter().find(|length| length.is_nan() || (length - 1.0).abs() > LENGTH)?;
+        Some(Warning::OutOfRange {
+            what: "the length of a direction",
+            found: odd.into(),
+            low: (1.0 - LENGTH).into(),
+            high: (1.0 + LENGTH).into(),
+        })
     }
 
     /// From polar and azimuth angles \[rad\] of light and view.

@@ -62,7 +62,9 @@ pub mod scene;
 pub mod simd;
 pub mod spectrum;
 pub mod split;
+pub mod stress;
 pub mod tensor_file;
+pub mod warning;
 
 pub use brdf::Brdf;
 pub use color::Rgb;
@@ -77,3 +79,4 @@ pub use path::{Interpolation, Path, Weights};
 pub use representation::{Code, Representation};
 pub use sampler::Sampler;
 pub use split::Split;
+pub use warning::Warning;

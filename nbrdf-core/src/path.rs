@@ -14,7 +14,7 @@ use std::cell::Cell;
 pub use weights::{Weights, WeightsError};
 
 use crate::representation::{DecodeError, EncodeError};
-use crate::{Brdf, Code, Material};
+use crate::{Brdf, Code, Material, Warning};
 
 /// A way to walk between materials; the costly part happens once, in `between`.
 ///
@@ -36,6 +36,11 @@ pub trait Path: Send + Sync {
     /// The code that [`at`](Self::at) decodes, where the path walks through codes.
     fn code(&self, _weights: &Weights) -> Result<Option<Code>, PathError> {
         Ok(None)
+    }
+
+    /// What is to be said of the point at these weights.
+    fn warnings(&self, weights: &Weights) -> Result<Vec<Warning>, PathError> {
+        Ok(weights.warning().into_iter().collect())
     }
 
     /// As [`at`](Self::at), in place of an earlier point: paths through networks allocate nothing. On an error `point`

@@ -21,6 +21,9 @@ pub(crate) const NODES: usize = ENTRIES + 1;
 /// Numbers below 0 are read as 0, those above as this: no product of them is infinite.
 pub const LARGEST: f32 = 1e6;
 
+/// G / cos θ of unit vectors stays far below, since G is 0 at the horizon.
+const MOST: f32 = 1e9;
+
 /// The numbers of one channel; those outside 0..=[`LARGEST`] are read as the nearest of these, NaN as 0.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Factors {
@@ -132,8 +135,9 @@ impl Placed<6> for Factored {
         let fresnel = interpolated(&self.fresnel, diff);
         let [light, view] = [light, view].map(|place| interpolated(&self.shadowing, place));
         Rgb(std::array::from_fn(|c| {
-            // One side after the other: either is finite, and so is their product.
-            let sides = (light[c] * over_light) * (view[c] * over_view);
+            // One side after the other: of unit vectors either is finite, and so is their product; of vectors that are none
+            // it is kept so.
+            let sides = (light[c] * over_light).min(MOST) * (view[c] * over_view).min(MOST);
             self.diffuse[c] + distribution[c] * fresnel[c] * sides
         }))
     }

@@ -46,7 +46,8 @@ impl<T: Placed<N>, const N: usize> WithSimd for Read<'_, T, N> {
             let places = block::<T, N, S>(simd, at);
             let above = above(at);
             for (lane, out) in out.iter_mut().enumerate() {
-                let place = places.each_ref().map(|lanes| lanes.0[lane]);
+                // What is not a number, of vectors that are none, is read at 0.
+                let place = places.each_ref().map(|lanes| lanes.0[lane].max(0.0));
                 *out = if (above >> lane) & 1 == 1 { self.table.read(place) } else { Rgb::BLACK };
             }
         }

@@ -14,7 +14,7 @@ use smallvec::SmallVec;
 
 use super::{Interpolation, Path, PathError, Weights};
 use crate::metric::albedo_max;
-use crate::{Brdf, Code, Material};
+use crate::{Brdf, Code, Material, Warning};
 
 /// Albedo that is not exceeded beyond the ends.
 const LIMIT: f64 = 0.99;
@@ -23,6 +23,9 @@ const FURTHEST: f32 = 1.0;
 /// Places at which a reach is looked for, and halvings afterwards.
 const LOOKS: u8 = 16;
 const HALVINGS: u8 = 4;
+
+/// Share of the way where nothing is too bright below which it counts as clamped.
+const CLAMPED: f32 = 0.99;
 
 /// Another interpolation, limited beyond its ends; between them nothing changes.
 pub struct Bounded {
@@ -66,6 +69,13 @@ impl Path for BoundedPath {
     fn code(&self, weights: &Weights) -> Result<Option<Code>, PathError> {
         self.path.code(&self.limited(weights)?)
     }
+
+    fn warnings(&self, weights: &Weights) -> Result<Vec<Warning>, PathError> {
+        let (asked, kept) = (weights.beyond(), self.limited(weights)?.beyond());
+        let is_clamped = kept < CLAMPED * slowed(asked, FURTHEST);
+        let clamped = is_clamped.then_some(Warning::EnergyClamped { asked, kept });
+        Ok(weights.warning().map(|beyond| clamped.unwrap_or(beyond)).into_iter().collect())
+    }
 }
 
 impl BoundedPath {
@@ -80,7 +90,7 @@ impl BoundedPath {
             [first, _] => self.known_reach(usize::from(*first < 0.0), &ray)?,
             _ => self.reach_along(&ray)?,
         };
-        Ok(ray.at(if reach > 0.0 { -reach * (-beyond / reach).exp_m1() } else { 0.0 }))
+        Ok(ray.at(slowed(beyond, reach)))
     }
 
     /// Beyond one of two ends: looked for once.
@@ -115,6 +125,11 @@ impl BoundedPath {
         }
         Ok(safe)
     }
+}
+
+/// How far a walk gets that asks for `beyond`.
+fn slowed(beyond: f32, reach: f32) -> f32 {
+    if reach > 0.0 { -reach * (-beyond / reach).exp_m1() } else { 0.0 }
 }
 
 /// From the nearest mix of the ends outwards, by the sum of the negative weights.
@@ -206,6 +221,16 @@ mod tests {
             let [found, wanted] = [&bounded, &plain].map(|path| albedo(path.as_ref(), &weights));
             assert!((found - wanted).abs() < 0.008 * (0.6 - 0.2), "{step}: {found} {wanted}");
         }
+    }
+
+    #[test]
+    fn a_walk_that_is_held_back_says_so() {
+        let bounded = Bounded::new(Box::new(Mix::Linear)).between(&greys(&[0.2, 0.8])).unwrap();
+        let kinds =
+            |t: f32| -> Vec<&str> { bounded.warnings(&Weights::two(t)).unwrap().iter().map(Warning::kind).collect() };
+        assert!(kinds(0.0).is_empty() && kinds(0.7).is_empty());
+        // Towards black nothing is in the way; towards white there is.
+        assert_eq!((kinds(-0.2), kinds(1.5)), (vec!["extrapolated"], vec!["energy_clamped"]));
     }
 
     #[test]

@@ -1,7 +1,7 @@
 //! Straight paths between the weights of networks: as they come, aligned unit by unit, or from a shared start.
 
 use super::{Interpolation, Path, PathError, Weights, at_least_two, with_weighted_sum};
-use crate::nbrdf::symmetry::align;
+use crate::nbrdf::symmetry::{align, balance};
 use crate::representation::pca_weights::network_of;
 use crate::{Brdf, Material, Nbrdf};
 
@@ -46,6 +46,8 @@ impl Interpolation for WeightInterpolation {
         };
         let mut networks = ends.iter().map(network).collect::<Result<Vec<_>, _>>()?;
         if self.aligned {
+            // Balanced like the others: the same material twice must be the same weights twice.
+            networks[0] = balance(&networks[0]);
             let (first, others) = networks.split_at_mut(1);
             others.iter_mut().for_each(|other| *other = align(other, &first[0]));
         }

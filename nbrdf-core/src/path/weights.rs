@@ -3,6 +3,10 @@
 use smallvec::{SmallVec, smallvec};
 
 use super::PathError;
+use crate::Warning;
+
+/// Negative weights of splines sum up to less than 1/8 between the ends.
+const SPLINE: f32 = 0.13;
 
 /// Weights of the ends of a path; negative ones lie beyond the ends. Up to six are no allocation.
 #[derive(Clone, Debug, PartialEq)]
@@ -69,6 +73,18 @@ impl Weights {
             }
         }
         Self(weights)
+    }
+
+    /// How far beyond the ends: the sum of the negative weights.
+    pub fn beyond(&self) -> f32 {
+        self.0.iter().map(|w| (-w).max(0.0)).sum()
+    }
+
+    /// That they are beyond the ends, farther than any spline between them goes.
+    pub fn warning(&self) -> Option<Warning> {
+        let beyond = self.beyond();
+        let within = if self.0.len() == 2 { f32::EPSILON } else { SPLINE };
+        (beyond > within).then_some(Warning::Extrapolated { beyond })
     }
 
     /// The numbers.
