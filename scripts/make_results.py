@@ -1,6 +1,7 @@
 """Writes docs/results.md, docs/pruning.md and the checkpoints' manifest from reports, so that no figure is typed by hand.
 
     scripts/make_reports.sh                 (makes all reports, in target/reports; half an hour on two cores)
+    scripts/make_stress.sh                  (where methods fail; an hour)
     python3 scripts/make_results.py target/reports
 """
 
@@ -9,6 +10,7 @@ import sys
 from pathlib import Path
 
 from results_learning import ablation, hardest, seeds
+from results_stress import stress_section
 from results_table import EVALUATE, ROOT, label, number, table, thousands, wrapped
 
 COMPARE = [
@@ -253,8 +255,8 @@ def main() -> int:
         print(__doc__, file=sys.stderr)
         return 2
     folder = Path(sys.argv[1])
-    names = ("evaluate", "compare", "speed", "accuracy", "fit", "instructions", "sampling", "axes")
-    evaluate, compare, speed, accuracy, fit, instructions, sampling, axes_report = (json.loads((folder / f"{name}.json").read_text()) for name in names)
+    names = ("evaluate", "compare", "speed", "accuracy", "fit", "instructions", "sampling", "axes", "stress")
+    evaluate, compare, speed, accuracy, fit, instructions, sampling, axes_report, stress = (json.loads((folder / f"{name}.json").read_text()) for name in names)
     for part in ("rows", "calibration"):
         evaluate[part] = [row for row in evaluate[part] if row["name"] in OF_32_NUMBERS]
     training = training_report(folder, ROOT / "target/criterion")
@@ -267,6 +269,7 @@ and longer training change, take an hour and more, and what they record is kept 
     scripts/seeds.sh
     scripts/ablation.sh
     scripts/make_reports.sh
+    scripts/make_stress.sh
     python3 scripts/make_results.py target/reports
 
 Definitions: mean (worst) over materials; PSNR in dB; errors are against the {evaluate['reference']} networks, which stand
@@ -347,7 +350,8 @@ Mean of the four families in bold, then roughness, colour, ior, metal. ZNBRDF's 
 materials with GGX-like and Blinn–Phong lobes; Beckmann and GTR of γ = 1 are kept out.
 
 {families(compare)}
-"""
+
+{stress_section(stress)}"""
     (ROOT / "docs/results.md").write_text(wrapped(text))
     (ROOT / "docs/pruning.md").write_text(pruning_page(speed))
     keep = ("log_error", "studio_psnr", "studio_ssim", "studio_flip", "studio_delta_e_itp")

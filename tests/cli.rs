@@ -24,6 +24,8 @@ mod reconstruct;
 #[cfg(unix)]
 #[path = "cli/refused.rs"]
 mod refused;
+#[path = "cli/stress.rs"]
+mod stress;
 mod support;
 #[path = "cli/together.rs"]
 mod together;

@@ -8,6 +8,8 @@ use egui::{Key, Modifiers};
 use egui_kittest::{Harness, kittest::Queryable as _};
 use nbrdf::gui::{Session, Workbench};
 use nbrdf::worker::{Card, Lighting, Stock};
+use nbrdf_core::Nbrdf;
+use nbrdf_core::nbrdf::{PUBLISHED_WEIGHTS, npy};
 
 fn quick() -> Session {
     Session { methods: vec!["raw_weights"], strips: false, ..Session::default() }
@@ -124,6 +126,21 @@ fn a_map_that_is_opened_is_shown_and_one_that_is_none_is_a_notice() {
     harness.state().open(square);
     until(&mut harness, "there is a notice", |bench| !bench.gallery.notices.is_empty());
     assert!(harness.state().gallery.notices[0].contains("square.exr"), "{:?}", harness.state().gallery.notices);
+}
+
+#[test]
+fn a_material_that_is_opened_and_makes_light_of_nothing_is_a_notice() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("lamp.npz");
+    // Whatever it is asked, f = e - 1: an albedo of 5.4.
+    let mut weights = vec![0.0; PUBLISHED_WEIGHTS];
+    weights[PUBLISHED_WEIGHTS - 3..].fill(1.0);
+    std::fs::write(&path, npy::write_npz(&Nbrdf::published(weights).unwrap())).unwrap();
+    let mut harness = built_in(quick());
+    harness.state().open(path);
+    until(&mut harness, "a notice", |bench| !bench.gallery.notices.is_empty());
+    let notices = &harness.state().gallery.notices;
+    assert!(notices[0].contains("lamp") && notices[0].contains("more light leaves than arrives"), "{notices:?}");
 }
 
 #[test]

@@ -25,7 +25,7 @@ use nbrdf_core::{Interpolation, Representation};
 pub use family::Family;
 pub use interpolations::INTERPOLATIONS;
 pub use ladder::{NBRDF, ladder};
-pub use learned::{BasisSize, Catalog};
+pub use learned::{BasisSize, Catalog, unknown};
 pub use reference::Reference;
 pub use representations::REPRESENTATIONS;
 pub use variant::Variant;
@@ -78,6 +78,12 @@ pub fn metrics() -> Vec<Box<dyn Metric>> {
 }
 
 impl RepresentationEntry {
+    /// How its codes are made, where the list has other ways too.
+    pub fn shown_variant(&self) -> Option<&'static str> {
+        let others = REPRESENTATIONS.iter().filter(|other| other.name == self.name).count();
+        (others > 1).then_some(self.variant.name())
+    }
+
     /// Makes it; may learn a basis first.
     pub fn build(&self, catalog: &Catalog) -> Result<Shared> {
         (self.build)(catalog)

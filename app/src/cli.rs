@@ -11,7 +11,7 @@ use crate::command::{
     axes::Axes, blend::Blend, chart::Chart, compare::Compare, completions::Completions, decode::Decode, edit::Edit,
     encode::Encode, evaluate::Evaluate, fit::Fit, import::Import, info::Info, learn::Learn, linear::Linear, list::List,
     manifold::Manifold, plan::Plan, reconstruct::Reconstruct, render::Render, sampling::Sampling, speed::Speed,
-    train::Train,
+    stress::Stress, train::Train,
 };
 use crate::failure::{Failure, advice, exit_code};
 
@@ -49,6 +49,7 @@ enum Command {
     Reconstruct(Reconstruct),
     Chart(Chart),
     Plan(Plan),
+    Stress(Stress),
     Speed(Speed),
     Completions(Completions),
 }
@@ -102,6 +103,7 @@ impl Cli {
             Some(Command::Reconstruct(command)) => command.run(&self.global),
             Some(Command::Chart(command)) => command.run(&self.global),
             Some(Command::Plan(command)) => command.run(&self.global),
+            Some(Command::Stress(command)) => command.run(&self.global),
             Some(Command::Speed(command)) => command.run(&self.global),
             Some(Command::Encode(command)) => command.run(&self.global),
             Some(Command::Decode(command)) => command.run(&self.global),

@@ -21,14 +21,15 @@ pub mod reconstruct;
 pub mod render;
 pub mod sampling;
 pub mod speed;
+pub mod stress;
 pub mod train;
 
 use anyhow::{Result, bail};
 use clap::Args;
-use nbrdf_core::Material;
-use nbrdf_core::metric::albedo_max;
+use nbrdf_core::Warning;
 
 use crate::material::{Item, Shelf};
+use crate::measure::guard;
 
 /// Switches that every command takes.
 #[derive(Debug, Clone, Args)]
@@ -72,32 +73,14 @@ impl Global {
         Ok(())
     }
 
-    /// Warns of a material that reflects more light than it gets.
-    pub fn check_energy(&self, name: &str, albedo_max: f64) -> Result<()> {
-        if albedo_max > 1.0 {
-            self.warn(format_args!("{name}: albedo_max is {albedo_max:.3}: more light leaves than arrives"))?;
-        }
-        Ok(())
+    /// Warnings of a material on stderr, as [`warn`](Self::warn) does.
+    pub fn warn_of(&self, name: &str, warnings: impl IntoIterator<Item = Warning>) -> Result<()> {
+        warnings.into_iter().try_for_each(|warning| self.warn(format_args!("{name}: {warning}")))
     }
 }
 
-/// Codes of ZNBRDF that are farther from those of training, in distances between neighbours among these, are of no
-/// material: measured ones stay below 6.
-const FARTHEST: f64 = 20.0;
-
-/// Warns of a code that no material has.
-fn warn_of_distance(global: &Global, item: &Item, shelf: &Shelf) -> Result<()> {
-    let Some(code) = &item.code else { return Ok(()) };
-    match shelf.catalog.autoencoder().distance(code)? {
-        Some(distance) if distance.is_nan() || distance > FARTHEST => global.warn(format_args!(
-            "{}: the code is {distance:.0} times as far from those of training as these are from each other: was it edited by hand?",
-            item.material.name
-        )),
-        _ => Ok(()),
-    }
-}
-
-/// Warns of a material that reflects more light than it gets.
-fn warn_of_energy(global: &Global, material: &Material) -> Result<()> {
-    global.check_energy(&material.name, albedo_max(material.brdf.as_ref()))
+/// What is to be said of a code that no material has.
+fn of_code(item: &Item, shelf: &Shelf) -> Result<Option<Warning>> {
+    let Some(code) = &item.code else { return Ok(None) };
+    Ok(guard::of_distance(code, &shelf.catalog.autoencoder())?)
 }

@@ -3,6 +3,7 @@
 pub mod calibration;
 pub mod families;
 pub mod front;
+pub mod guard;
 pub mod linear;
 pub mod manifold;
 mod pairs;
@@ -12,6 +13,7 @@ pub mod quality;
 pub mod reconstruction;
 pub mod sampling;
 pub mod speed;
+pub mod stress;
 mod target;
 pub mod times;
 mod trust;

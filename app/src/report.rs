@@ -1,5 +1,6 @@
 //! Reports: JSON or text on stdout.
 
+pub mod heat;
 pub mod png;
 pub mod svg;
 pub mod table;

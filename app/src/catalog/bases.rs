@@ -46,7 +46,7 @@ impl Catalog {
 
     /// The training materials as networks of the shared start: the built-in ones, or fits.
     fn shared_start_materials(&self) -> Vec<Material> {
-        match &self.library {
+        match &self.given {
             None => self.training(&builtin::shared().materials()),
             Some(_) => {
                 let shared = |material: Material| match shared_start_network(&material) {

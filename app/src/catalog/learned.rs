@@ -25,7 +25,7 @@ pub struct Catalog {
     /// What was learned before, of one representation.
     pub(super) held: Option<Held>,
     /// Learn from these in place of the reference materials.
-    pub(super) library: Option<Library>,
+    pub(super) given: Option<Vec<Material>>,
     pub(super) size: BasisSize,
     /// Whether bases leave out the validation materials.
     validate: bool,
@@ -48,7 +48,7 @@ impl Catalog {
             reference,
             checkpoint: None,
             held: None,
-            library: None,
+            given: None,
             size: BasisSize { numbers: None, grid: None },
             validate: false,
             learned: Once::new(),
@@ -57,7 +57,13 @@ impl Catalog {
 
     /// For learning bases of this size, from the training materials of a library if one is given.
     pub fn for_learning(library: Option<Library>, size: BasisSize) -> Self {
-        Self { library, size, ..Self::new(Arc::new(Reference::built_in())) }
+        let given = library.map(|library| library.materials());
+        Self { given, size, ..Self::new(Arc::new(Reference::built_in())) }
+    }
+
+    /// For learning from the training materials among these, measured against the same reference.
+    pub fn learning_from(&self, given: Vec<Material>) -> Self {
+        Self { given: Some(given), ..Self::new(Arc::clone(&self.reference)) }
     }
 
     /// For measuring: against this library or the default reference, with this checkpoint or the built-in one.
@@ -192,8 +198,8 @@ impl Catalog {
 
     /// The materials that may be learned from.
     pub fn training_materials(&self) -> Vec<Material> {
-        match &self.library {
-            Some(library) => self.training(&library.materials()),
+        match &self.given {
+            Some(given) => self.training(given),
             None => self.training(&self.reference.materials),
         }
     }
@@ -206,7 +212,8 @@ impl Catalog {
     }
 }
 
-fn unknown(what: &str, name: &str, known: impl Iterator<Item = &'static str>) -> anyhow::Error {
+/// The failure of a name that is none of those known.
+pub fn unknown(what: &str, name: &str, known: impl Iterator<Item = &'static str>) -> anyhow::Error {
     let mut names: Vec<&str> = known.collect();
     names.dedup();
     let nearest = names.iter().max_by(|a, b| strsim::jaro(a, name).total_cmp(&strsim::jaro(b, name)));

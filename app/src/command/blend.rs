@@ -8,7 +8,7 @@ use anyhow::{Result, anyhow};
 use clap::Args;
 use nbrdf_core::metric::albedo_max;
 use nbrdf_core::render::Sphere;
-use nbrdf_core::{Brdf, Image, Material};
+use nbrdf_core::{Brdf, Image, Material, Warning};
 use serde_json::{Value, json};
 
 use super::Global;
@@ -57,10 +57,19 @@ struct Walk {
     result: Result<Walked>,
 }
 
+impl Walk {
+    fn is_clamped(&self) -> bool {
+        let said = self.result.iter().flat_map(|walked| walked.warnings.iter().flatten());
+        said.into_iter().any(|warning| matches!(warning, Warning::EnergyClamped { .. }))
+    }
+}
+
 /// The points of a walk.
 struct Walked {
     spheres: Vec<Image>,
     albedo: f64,
+    /// What the path says of every point.
+    warnings: Vec<Vec<Warning>>,
     /// Distance of every point's code to known materials; none where the path walks through no codes of ZNBRDF.
     distances: Option<Vec<f64>>,
 }
@@ -73,8 +82,8 @@ impl Blend {
         output::check(&self.output, &output::PICTURES)?;
         let shelf = self.sources.open()?;
         let ends = self.ends(&shelf)?;
-        if let Some(beyond) = samples.iter().find(|sample| sample.is_beyond) {
-            global.warn(format_args!("{} lies beyond the materials: results may not be physical", beyond.label))?;
+        if let Some((beyond, warning)) = samples.iter().find_map(|sample| Some((sample, sample.weights.warning()?))) {
+            global.warn_of(&beyond.label, [warning])?;
         }
         let limit = ends.iter().map(|end| albedo_max(end.brdf.as_ref())).fold(1.0, f64::max);
         if limit > 1.0 {
@@ -117,9 +126,10 @@ impl Blend {
         let bar = progress::bar(methods.len() as u64, "walking", global.quiet);
         let walks = methods.iter().map(|&entry| {
             bar.set_message(entry.name);
-            let result = points(entry, catalog, ends, samples).map(|(points, distances)| Walked {
+            let result = points(entry, catalog, ends, samples).map(|Points { points, warnings, distances }| Walked {
                 albedo: points.iter().map(|brdf| albedo_max(brdf.as_ref())).fold(0.0, f64::max),
                 spheres: points.iter().map(|brdf| painter.draw(brdf.as_ref())).collect(),
+                warnings,
                 distances,
             });
             bar.inc(1);
@@ -151,7 +161,10 @@ impl Blend {
     fn json(&self, ends: &[Material], samples: &[Sample], walks: &[Walk]) -> Value {
         let method = |walk: &Walk| match &walk.result {
             Ok(walked) => {
-                json!({"name": walk.entry.name, "albedo_max": walked.albedo, "distances": walked.distances})
+                json!({
+                    "name": walk.entry.name, "albedo_max": walked.albedo, "distances": walked.distances,
+                    "warnings": walked.warnings,
+                })
             }
             Err(error) => json!({"name": walk.entry.name, "failed": format!("{error:#}")}),
         };
@@ -193,8 +206,12 @@ fn is_exr(path: &Path) -> bool {
     path.extension().is_some_and(|extension| extension == "exr")
 }
 
-/// What a walk passes, and how far each code is from known ones.
-type Points = (Vec<Box<dyn Brdf>>, Option<Vec<f64>>);
+/// What a walk passes, what it says of each point, and how far each code is from known ones.
+struct Points {
+    points: Vec<Box<dyn Brdf>>,
+    warnings: Vec<Vec<Warning>>,
+    distances: Option<Vec<f64>>,
+}
 
 fn points(entry: &InterpolationEntry, catalog: &Catalog, ends: &[Material], samples: &[Sample]) -> Result<Points> {
     let path = entry.build(catalog)?.between(ends)?;
@@ -203,13 +220,23 @@ fn points(entry: &InterpolationEntry, catalog: &Catalog, ends: &[Material], samp
         Some(code) => Ok(known.distance(&code)?),
         None => Ok(None),
     };
-    let points = samples.iter().map(|sample| Ok(path.at(&sample.weights)?)).collect::<Result<_>>()?;
-    Ok((points, samples.iter().map(distance).collect::<Result<Option<_>>>()?))
+    Ok(Points {
+        points: samples.iter().map(|sample| Ok(path.at(&sample.weights)?)).collect::<Result<_>>()?,
+        warnings: samples.iter().map(|sample| Ok(path.warnings(&sample.weights)?)).collect::<Result<_>>()?,
+        distances: samples.iter().map(distance).collect::<Result<_>>()?,
+    })
 }
 
 /// Failures one by one; energy in one line, and only where the method is worse than the materials themselves.
 fn warn_of_methods(walks: &[Walk], limit: f64, global: &Global) -> Result<()> {
     let mut bright = Vec::new();
+    let clamped: Vec<&str> = walks.iter().filter(|walk| walk.is_clamped()).map(|walk| walk.entry.name).collect();
+    if !clamped.is_empty() {
+        global.warn(format_args!(
+            "energy clamped: {} stop where more light would leave than arrives",
+            clamped.join(", ")
+        ))?;
+    }
     for walk in walks {
         match &walk.result {
             Err(error) => global.warn(format_args!("{}: {error:#}", walk.entry.name))?,

@@ -4,12 +4,14 @@ use std::path::PathBuf;
 
 use anyhow::{Context, Result};
 use clap::Args;
+use nbrdf_core::metric::albedo_max;
 use nbrdf_core::nbrdf::file;
 use serde_json::json;
 
-use super::{Global, warn_of_distance, warn_of_energy};
+use super::{Global, of_code};
 use crate::failure::Failure;
 use crate::material::{STDIN, Sources};
+use crate::measure::guard;
 use crate::{output, report};
 
 /// Turns a code into a network's file.
@@ -31,7 +33,8 @@ impl Decode {
         let shelf = self.sources.open()?;
         let item = shelf.code(&self.code)?;
         shelf.catalog.check_used()?;
-        warn_of_distance(global, &item, &shelf)?;
+        let name = &item.material.name;
+        global.warn_of(name, of_code(&item, &shelf)?)?;
         let model = item.code.as_ref().map_or("", |code| code.model.as_str());
         let Some(network) = &item.material.network else {
             let code = if self.code == STDIN { "CODE" } else { &self.code };
@@ -41,7 +44,8 @@ impl Decode {
             ))
             .into());
         };
-        warn_of_energy(global, &item.material)?;
+        let brdf = item.material.brdf.as_ref();
+        global.warn_of(name, guard::of_energy(albedo_max(brdf)).into_iter().chain(guard::of_reciprocity(brdf)))?;
         file::write(&self.output, network).with_context(|| format!("{}: cannot be written", self.output.display()))?;
         let summary = json!({
             "schema": 1, "material": item.material.name, "model": model, "hidden": network.hidden(),

@@ -10,7 +10,7 @@ use super::Global;
 use crate::catalog::Catalog;
 use crate::failure::Failure;
 use crate::material::{MAX_NUMBERS, Sources};
-use crate::measure::Trust;
+use crate::measure::{Trust, guard};
 use crate::{output, report};
 
 /// Turns a material into a code, written as JSON.
@@ -58,6 +58,9 @@ impl Encode {
         if let Some(advice) = trust.advice(&item.material.name, can_refine) {
             global.warn(format_args!("{advice}"))?;
         }
+        let brightness = guard::of_brightness(item.material.brdf.as_ref());
+        let distance = guard::of_distance(&code, &shelf.catalog.autoencoder())?;
+        global.warn_of(&item.material.name, brightness.into_iter().chain(distance))?;
         let code = Code {
             material: Some(item.material.name),
             expected_log_error: Some(trust.expected_log_error),

@@ -17,6 +17,7 @@ use serde_json::{Value, json};
 
 use super::Global;
 use crate::failure::Failure;
+use crate::measure::guard;
 use crate::{output, progress, report};
 use fitted::Fitted;
 use judge::{samples_error, table_error};
@@ -69,7 +70,11 @@ impl Fit {
         };
         let fitted = Fitted::to(&measured, turns, &start, options, &cancelled)?;
         let material = measured::name_of(&self.source);
-        global.check_energy(&material, fitted.albedo_max())?;
+        let few = match &measured {
+            Measured::Somewhere(list) => guard::of_samples(list.len(), fitted.weights().len()),
+            _ => None,
+        };
+        global.warn_of(&material, few.into_iter().chain(guard::of_energy(fitted.albedo_max())))?;
         // Before it is judged by more fits: what is done is not lost with them.
         fitted.write(&self.output)?;
         let error = match &measured {

@@ -9,12 +9,12 @@ use nbrdf_core::metric::{ImageMetric, Metric, Physics, Rendered, directional_alb
 use nbrdf_core::nbrdf::Live;
 use nbrdf_core::sampler::lobe::Lobe;
 use nbrdf_core::sampling::{evaluate, rus32k};
-use nbrdf_core::{Database, Material, Nbrdf, Representation, Split};
+use nbrdf_core::{Database, Material, Nbrdf, Representation, Split, Warning};
 use serde_json::{Value, json};
 
-use super::Global;
+use super::{Global, of_code};
 use crate::material::{Item, Sources};
-use crate::measure::Target;
+use crate::measure::{Target, guard};
 use crate::report;
 
 /// Viewing angles at which albedo is told \[degrees\].
@@ -51,6 +51,9 @@ impl Info {
         let physics = Physics::of(item.material.brdf.as_ref());
         let znbrdf = shelf.catalog.representation("znbrdf", false)?;
         let known = Known::of(&item.material, znbrdf.as_ref(), &shelf.catalog.autoencoder())?;
+        let own = guard::of_reflectance(item.material.brdf.as_ref());
+        let brightness = guard::of_brightness(item.material.brdf.as_ref());
+        let warnings: Vec<Warning> = own.into_iter().chain(brightness).chain(of_code(&item, &shelf)?).collect();
         let live = item.material.network.as_ref().map(|network| (network.live(), Live::all(network.hidden())));
         let lobe = Lobe::fit(item.material.brdf.as_ref());
         let albedo: Vec<_> = ANGLES.map(|angle| (angle, albedo(&item.material, angle))).to_vec();
@@ -74,6 +77,7 @@ impl Info {
             "lobe": lobe,
             "bytes": bytes(&item, znbrdf.dim()),
             "albedo": albedo.iter().map(|(angle, rgb)| json!({"degrees": angle, "rgb": rgb})).collect::<Vec<_>>(),
+            "warnings": warnings,
             "albedo_max": physics.albedo_max, "negative_share": physics.negative_share,
             "reciprocity": physics.reciprocity,
             "znbrdf": {
@@ -82,7 +86,9 @@ impl Info {
             },
             "against": against.as_ref().map(|(name, figures)| json!({"name": name, "figures": figures})),
         });
-        global.check_energy(&item.material.name, physics.albedo_max)?;
+        // A share below zero is told by its own line; most stored networks have some.
+        let told = warnings.into_iter().filter(|warning| !matches!(warning, Warning::Negative { .. }));
+        global.warn_of(&item.material.name, told)?;
         report::print(global, &summary, || {
             Text { item: &item, physics, albedo, known, live, lobe, against }.lines(znbrdf.dim())
         })

@@ -10,8 +10,9 @@ use nbrdf_core::render::{Light, Sphere};
 use serde_json::json;
 use surroundings::Surroundings;
 
-use super::{Global, warn_of_distance};
+use super::{Global, of_code};
 use crate::material::Sources;
+use crate::measure::guard;
 use crate::{output, report};
 
 /// Renders a sphere of a material: .png as a display shows it, .exr with the linear values.
@@ -71,8 +72,9 @@ impl Render {
         let shelf = self.sources.open()?;
         let item = shelf.any(&self.material)?;
         shelf.catalog.check_used()?;
-        warn_of_distance(global, &item, &shelf)?;
-        global.check_energy(&item.material.name, item.albedo_max())?;
+        let energy = guard::of_energy(item.albedo_max());
+        let reciprocity = guard::of_reciprocity(item.material.brdf.as_ref());
+        global.warn_of(&item.material.name, of_code(&item, &shelf)?.into_iter().chain(energy).chain(reciprocity))?;
         let light = self.light.light();
         let lamps_only = environment.is_none();
         let picture = match environment {

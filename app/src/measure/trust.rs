@@ -3,7 +3,7 @@
 use autoencoder::Autoencoder;
 use nbrdf_core::metric::log_error_estimate;
 use nbrdf_core::representation::DecodeError;
-use nbrdf_core::{Brdf, Code, Material};
+use nbrdf_core::{Brdf, Code, Material, Warning};
 use serde::Serialize;
 
 /// Expected `log_error` beyond which a code does not carry its material, whatever made it: nearly twice the largest error
@@ -30,19 +30,18 @@ impl Trust {
         Ok(Self { expected_log_error, distance: known.distance(code)?, numbers: code.code.len() })
     }
 
-    /// What to tell of a material that the code does not carry; `can_refine` if a closer code of the same representation
-    /// may be asked for.
-    pub fn advice(&self, material: &str, can_refine: bool) -> Option<String> {
+    /// That the code does not carry its material.
+    pub fn warning(&self) -> Option<Warning> {
+        let (numbers, expected) = (self.numbers, self.expected_log_error);
         // No number is no trust.
-        if self.expected_log_error <= CARRIED {
-            return None;
-        }
+        let is_carried = expected <= CARRIED;
+        (!is_carried).then_some(Warning::NotCarried { numbers, expected, usual: CARRIED })
+    }
+
+    /// What to tell then; `can_refine` if a closer code of the same representation may be asked for.
+    pub fn advice(&self, material: &str, can_refine: bool) -> Option<String> {
         let or_refine = if can_refine { ", or try --refine" } else { "" };
-        Some(format!(
-            "{material}: {} numbers do not carry this material: expected log_error {:.3}, and materials like those of \
-             training stay below {CARRIED}: keep the network{or_refine}",
-            self.numbers, self.expected_log_error
-        ))
+        Some(format!("{material}: {}: keep the network{or_refine}", self.warning()?))
     }
 }
 

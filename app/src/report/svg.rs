@@ -1,5 +1,6 @@
 //! Charts as SVG, readable at page width in light and in dark: points over a logarithmic axis here, lines and maps beside.
 
+pub mod grid;
 mod lines;
 pub mod map;
 pub mod scatter;
@@ -179,7 +180,7 @@ fn mark(out: &mut String, series: &Series, x: f64, y: f64, about: &str) -> fmt::
     }
 }
 
-fn escaped(text: &str) -> String {
+pub(crate) fn escaped(text: &str) -> String {
     text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
 }
 

@@ -3,10 +3,12 @@
 use std::path::{Path, PathBuf};
 use std::sync::{PoisonError, mpsc};
 
+use nbrdf_core::metric::albedo_max;
 use nbrdf_core::render::{Environment, Light, Sphere};
 use nbrdf_core::{Library, Material};
 
 use super::{Answer, Map, Office, guarded, picture::Picture};
+use crate::measure::guard;
 
 /// Side of a thumbnail in pixels: 44 points on a dense display.
 const SIZE: usize = 88;
@@ -33,6 +35,7 @@ pub(super) fn run(office: &Office, files: &mpsc::Receiver<PathBuf>) {
                 office.materials.write().unwrap_or_else(PoisonError::into_inner).extend(materials.iter().cloned());
                 office.say(Answer::Opened(names));
                 thumbnails(office, &sphere, &materials);
+                warn(office, &materials);
             }
             Ok(Err(why)) | Err(why) => office.say(Answer::Notice(why)),
         }
@@ -45,6 +48,16 @@ fn thumbnails(office: &Office, sphere: &Sphere, materials: &[Material]) {
             Ok(picture) => office.say(Answer::Thumbnail(name.clone(), picture)),
             Err(why) => office.say(Answer::Notice(why)),
         }
+    }
+}
+
+/// What is odd about materials that were opened.
+fn warn(office: &Office, materials: &[Material]) {
+    for Material { name, brdf, .. } in materials {
+        let brdf = brdf.as_ref();
+        let said = || guard::of_energy(albedo_max(brdf)).into_iter().chain(guard::of_brightness(brdf)).collect();
+        let warnings: Vec<_> = guarded(name, said).unwrap_or_default();
+        warnings.into_iter().for_each(|warning| office.say(Answer::Notice(format!("{name}: {warning}"))));
     }
 }
 

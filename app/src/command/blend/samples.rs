@@ -15,8 +15,6 @@ pub struct Sample {
     pub weights: Weights,
     /// `0.25` between two ends; weights in order between more.
     pub label: String,
-    /// Whether it lies beyond the ends.
-    pub is_beyond: bool,
 }
 
 impl Sample {
@@ -26,8 +24,7 @@ impl Sample {
             [_, t] => number(*t),
             more => more.iter().map(|w| number(*w)).collect::<Vec<_>>().join(" : "),
         };
-        let is_beyond = weights.as_slice().iter().any(|w| *w < 0.0);
-        Ok(Self { weights, label, is_beyond })
+        Ok(Self { weights, label })
     }
 
     /// What stands above its column.
@@ -59,7 +56,7 @@ fn spline(ends: usize, steps: u16) -> Vec<Sample> {
     let last = f32::from(steps.max(2) - 1);
     let one = |i: u16| {
         let t = f32::from(i) / last;
-        Sample { weights: Weights::along_spline(t, ends), label: format!("t = {}", number(t)), is_beyond: false }
+        Sample { weights: Weights::along_spline(t, ends), label: format!("t = {}", number(t)) }
     };
     (0..steps).map(one).collect()
 }
@@ -133,7 +130,7 @@ mod tests {
         let shown = samples(3, &[], Some(5)).unwrap();
         let one_hot = [(0, 0), (2, 1), (4, 2)];
         assert!(one_hot.iter().all(|&(step, end)| (shown[step].weights.as_slice()[end] - 1.0).abs() < 1e-5));
-        assert_eq!((shown[1].label.as_str(), shown[1].is_beyond), ("t = 0.25", false));
+        assert_eq!((shown[1].label.as_str(), shown[1].weights.warning()), ("t = 0.25", None));
     }
 
     #[test]
@@ -146,7 +143,7 @@ mod tests {
 
     #[test]
     fn what_lies_beyond_the_ends_is_known() {
-        let beyond = |t: &str| samples(2, &[t.to_owned()], None).unwrap()[0].is_beyond;
+        let beyond = |t: &str| samples(2, &[t.to_owned()], None).unwrap()[0].weights.warning().is_some();
         assert!(beyond("-0.1") && beyond("1.5") && !beyond("0") && !beyond("1"));
     }
 }

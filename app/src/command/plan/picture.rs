@@ -2,13 +2,14 @@
 
 use std::path::Path;
 
+use nbrdf_core::Image;
 use nbrdf_core::metric::flip_map;
 use nbrdf_core::plan::Plan;
 use nbrdf_core::scene::View;
-use nbrdf_core::{Image, Rgb};
 use serde_json::Value;
 
-use crate::strip::text::{Face, Text, ink};
+use crate::report::heat::heat;
+use crate::strip::text::{Face, Text};
 use crate::strip::{BRIGHT, MUTED, ground};
 
 /// Errors of this many times the tolerance are white.
@@ -70,16 +71,4 @@ fn layout(picture: &Image, heading: &str, labels: &[String; 3]) -> ((usize, usiz
     let wide = Text::new(Face::Sans, 26.0).width(heading).ceil() as usize;
     let width = (3 * row - GAP).max(wide) + 2 * MARGIN;
     ((width, HEAD + picture.height() + MARGIN), row)
-}
-
-/// From black over violet and orange to white.
-fn heat(share: f64) -> Rgb {
-    const STOPS: [[f32; 3]; 5] =
-        [[0.0, 0.0, 0.02], [0.31, 0.07, 0.48], [0.72, 0.21, 0.47], [0.98, 0.53, 0.38], [0.99, 0.99, 0.86]];
-    let at = share.clamp(0.0, 1.0) as f32 * (STOPS.len() - 1) as f32;
-    let below = (at as usize).min(STOPS.len() - 2);
-    let between = at - below as f32;
-    let mix = |channel: usize| STOPS[below][channel] * (1.0 - between) + STOPS[below + 1][channel] * between;
-    // The stops are as displayed.
-    Rgb([0, 1, 2].map(|channel| ink(mix(channel))[channel]))
 }
