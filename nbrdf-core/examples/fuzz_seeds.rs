@@ -187,6 +187,7 @@ fn texts(seeds: &Seeds) -> Outcome<()> {
     let code = format!(r#"{{"schema":1,"model":"znbrdf","checkpoint":"c","code":[{numbers}],"material":"one"}}"#);
     seeds.put("code", "znbrdf", code.as_bytes())?;
     seeds.put("chart_report", "two", REPORT.as_bytes())?;
+    seeds.put("stress_report", "three", STRESS.as_bytes())?;
     seeds.put("obj", "cube", CUBE.as_bytes())?;
     seeds.put("obj", "fan", FAN.as_bytes())?;
     // What fuzzing has found: a normal before the first.
@@ -200,6 +201,15 @@ const REPORT: &str = r#"{"schema":1,"reference":"built in","materials":3,"quick"
 "bytes":12,"shared_bytes":0,"error":{"log_error":{"mean":0.5,"p10":0.1,"p90":0.9,"max":1}}},
 {"name":"znbrdf_32","variant":"refined","family":"code","ns":40,"ratio_to_reference_loop":0.2,"encode_s":0.2,
 "bytes":128,"shared_bytes":9000,"error":{"log_error":{"mean":0.01,"p10":0,"p90":0.02,"max":0.1}}}]}"#;
+
+const STRESS: &str = r#"{"schema":1,"reference":"built in","checkpoint":"c","extent":{"materials":4,"few":1,"ends":12,
+"pairs":6,"steps":60},"seed":0,"asked":[[],["lambert"]],"groups":["directions","paths"],"cells":[
+{"hazard":"mirror","group":"directions","method":"lambert","value":8.3,"threshold":{"holds":0.18,"fails":0.69},
+"verdict":"fails","count":4,"share":0.5,"worst":["chrome"],"warnings":["not_carried"],"picture":"iVBORw0KGgo="},
+{"hazard":"retro","group":"directions","method":"znbrdf","variant":"refined","value":null,"threshold":{"holds":0.18,
+"fails":0.69},"verdict":"refuses","count":1,"share":1,"worst":[],"warnings":[],"note":"no code"},
+{"hazard":"many","group":"paths","method":"latent","value":0.8,"threshold":{"holds":0.84,"fails":1},"verdict":"holds",
+"count":1,"share":0,"worst":["a > b"],"warnings":[]}]}"#;
 
 const CUBE: &str = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\n\
                     f 1 2 3 4\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n";

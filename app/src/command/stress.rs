@@ -19,7 +19,8 @@ use crate::catalog::{Catalog, INTERPOLATIONS, REPRESENTATIONS};
 use crate::failure::Failure;
 use crate::measure::stress::{Extent, Setup, hazards};
 use crate::{output, progress, report};
-use saved::Saved;
+
+pub use saved::Saved;
 
 /// Finds where each method fails: hazards × methods, each with a number, a verdict and the worst example.
 #[derive(Debug, Args)]
@@ -70,9 +71,9 @@ impl Stress {
             Some(path) => Saved::load(path)?,
             None => self.measure(global)?,
         };
-        let svg = heat_map::draw(&saved).svg();
+        let [page, svg] = drawn(&saved);
         write(&map, &svg)?;
-        write(&self.output, &page::html(&saved, &svg))?;
+        write(&self.output, &page)?;
         if let Some(folder) = &self.pictures {
             worst::draw(folder, &saved)?;
         }
@@ -151,6 +152,12 @@ impl Stress {
         }
         Ok(())
     }
+}
+
+/// The page, and the heat map alone.
+pub fn drawn(saved: &Saved) -> [String; 2] {
+    let map = heat_map::draw(saved).svg();
+    [page::html(saved, &map), map]
 }
 
 fn write(path: &Path, text: &str) -> Result<()> {

@@ -1,7 +1,7 @@
-//! Texts in JSON: codes, and reports of charts.
+//! Texts in JSON: codes, reports of charts and of stress.
 
 use autoencoder::{Architecture, Autoencoder};
-use nbrdf::command::chart::{Saved, scatter};
+use nbrdf::command::{chart, stress};
 use nbrdf::material::parse_code;
 use nbrdf_core::Representation;
 
@@ -21,11 +21,20 @@ pub fn code(bytes: &[u8]) -> bool {
 
 /// A chart's report, which is drawn.
 pub fn chart_report(bytes: &[u8]) -> bool {
-    let Ok(saved) = Saved::parse("chart.json", bytes) else { return false };
+    let Ok(saved) = chart::Saved::parse("chart.json", bytes) else { return false };
     if saved.check_metric("log_error").is_ok() {
-        let svg = scatter(&saved, "log_error", false).svg();
+        let svg = chart::scatter(&saved, "log_error", false).svg();
         assert!(svg.starts_with("<svg") && !svg.contains("NaN"), "{svg}");
         assert_eq!(saved.json("log_error")["schema"], 1);
     }
+    true
+}
+
+/// A report of the stress test, which is drawn.
+pub fn stress_report(bytes: &[u8]) -> bool {
+    let Ok(saved) = stress::Saved::parse("stress.json", bytes) else { return false };
+    let [page, map] = stress::drawn(&saved);
+    assert!(page.starts_with("<!doctype html>") && map.starts_with("<svg") && !map.contains("NaN"));
+    assert_eq!(saved.json()["schema"], 1);
     true
 }

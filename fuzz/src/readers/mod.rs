@@ -8,7 +8,7 @@ mod pictures;
 mod scenes;
 mod tensors;
 
-pub use code::{chart_report, code};
+pub use code::{chart_report, code, stress_report};
 pub use measured::{csv, goniometer, merl, rgl};
 pub use networks::{archive, keras, library, network_safetensors, npy, npz};
 pub use pictures::{exr, hdr};
@@ -21,7 +21,7 @@ use nbrdf_core::{Brdf, Directions};
 pub type Reader = (&'static str, fn(&[u8]) -> bool);
 
 /// All of them.
-pub const ALL: [Reader; 18] = [
+pub const ALL: [Reader; 19] = [
     ("archive", archive),
     ("basis", basis),
     ("chart_report", chart_report),
@@ -40,6 +40,7 @@ pub const ALL: [Reader; 18] = [
     ("obj", obj),
     ("rgl", rgl),
     ("scene", scene),
+    ("stress_report", stress_report),
 ];
 
 /// Nothing that is read may reflect NaN, infinity, or less than nothing.

@@ -1,5 +1,6 @@
 //! The report: printed by `--json`, drawn again by `--from`, kept beside the page while it is not finished.
 
+use std::fmt::Display;
 use std::path::Path;
 
 use anyhow::Result;
@@ -12,6 +13,9 @@ use crate::measure::stress::{Cell, Extent, Setup, hazards};
 
 /// Largest report that is read \[bytes\]: with its pictures it has some 15 million.
 const MAX_BYTES: u64 = 256 << 20;
+
+/// Most cells that are drawn.
+const MOST_CELLS: usize = 3000;
 
 /// What was measured.
 #[derive(Deserialize, Serialize)]
@@ -51,17 +55,21 @@ impl Saved {
 
     /// Reads a report.
     pub fn load(path: &Path) -> Result<Self> {
-        let invalid = |found: &dyn std::fmt::Display| {
-            let path = path.display();
-            Failure::InvalidFile(format!(
-                "{path}: expected a report of `nbrdf stress --json`, found {found}: make it again"
-            ))
-        };
-        let bytes = nbrdf_core::bounded::read(path, MAX_BYTES).map_err(|error| invalid(&error))?;
-        let bytes = bytes.ok_or_else(|| invalid(&format_args!("more than {MAX_BYTES} bytes")))?;
-        let saved: Self = serde_json::from_slice(&bytes).map_err(|error| invalid(&error))?;
+        let name = path.display().to_string();
+        let bytes = nbrdf_core::bounded::read(path, MAX_BYTES).map_err(|error| invalid(&name, &error))?;
+        let bytes = bytes.ok_or_else(|| invalid(&name, &format_args!("more than {MAX_BYTES} bytes")))?;
+        Self::parse(&name, &bytes)
+    }
+
+    /// The report in bytes that came from `path`.
+    pub fn parse(path: &str, bytes: &[u8]) -> Result<Self> {
+        let invalid = |found: &dyn Display| invalid(path, found);
+        let saved: Self = serde_json::from_slice(bytes).map_err(|error| invalid(&error))?;
         if saved.schema != 1 {
             return Err(invalid(&format_args!("schema {}", saved.schema)).into());
+        }
+        if saved.cells.len() > MOST_CELLS {
+            return Err(invalid(&format_args!("{} cells, of {MOST_CELLS} at most", saved.cells.len())).into());
         }
         let known = hazards();
         let is_known =
@@ -128,4 +136,8 @@ impl Saved {
             .collect();
         value
     }
+}
+
+fn invalid(path: &str, found: &dyn Display) -> Failure {
+    Failure::InvalidFile(format!("{path}: expected a report of `nbrdf stress --json`, found {found}: make it again"))
 }
