@@ -69,7 +69,7 @@ def thresholds(report: dict) -> str:
 
 
 def stress_section(report: dict) -> str:
-    verdicts, cells, extent = report["verdicts"], report["cells"], report["extent"]
+    verdicts, cells, extent = report["verdicts"], report["cells"], report["counted"]
     silent = [cell for cell in cells if cell["verdict"] == "fails" and not cell["warnings"]]
     own = [cell for cell in cells if cell["method"].startswith(("znbrdf", "latent"))]
     own_fails = [cell for cell in own if cell["verdict"] == "fails"]

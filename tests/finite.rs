@@ -44,21 +44,28 @@ fn pair(rng: &mut impl Rng) -> Directions {
 fn finite_directions_give_finite_reflectances_of_every_method() {
     let asked = std::env::var("NBRDF_EVALUATIONS").ok().and_then(|count| count.parse().ok()).unwrap_or(2_000_000usize);
     let catalog = Catalog::new(Arc::new(Reference::built_in()));
-    let batches = asked.div_ceil(BATCH * REPRESENTATIONS.len());
-    let material = builtin::shared().get("chrome").unwrap().material();
+    let materials = ["chrome", "blue-fabric", "rgl/paper_white"];
+    let materials = materials.map(|name| builtin::shared().get(name).unwrap().material());
+    let batches = asked.div_ceil(BATCH * REPRESENTATIONS.len() * materials.len());
     let mut count = 0;
     for (stream, entry) in REPRESENTATIONS.iter().enumerate() {
         let representation = entry.build(&catalog).unwrap();
-        let brdf = representation.decode(&representation.encode(&material).unwrap()).unwrap();
         let rng = &mut generator(0, stream as u64);
         let mut out = vec![Rgb::BLACK; BATCH];
-        for _ in 0..batches {
-            let at: Vec<Directions> = (0..BATCH).map(|_| pair(rng)).collect();
-            brdf.eval_into(&at, &mut out);
-            for (at, f) in at.iter().zip(&out) {
-                assert!(f.is_finite() && f.min() >= 0.0, "{}: {f:?} at {at:?}", entry.name);
+        for material in &materials {
+            let brdf = representation.decode(&representation.encode(material).unwrap()).unwrap();
+            for _ in 0..batches {
+                let at: Vec<Directions> = (0..BATCH).map(|_| pair(rng)).collect();
+                brdf.eval_into(&at, &mut out);
+                for (at, f) in at.iter().zip(&out) {
+                    assert!(f.is_finite() && f.min() >= 0.0, "{}: {f:?} at {at:?}", entry.name);
+                }
+                count += BATCH;
             }
-            count += BATCH;
+            // One by one must be the same.
+            let at = pair(rng);
+            brdf.eval_into(&[at], &mut out[..1]);
+            assert_eq!(out[0], brdf.eval(at), "{} at {at:?}", entry.name);
         }
     }
     println!("{count} evaluations of {} methods, all finite and not negative", REPRESENTATIONS.len());

@@ -203,11 +203,11 @@ const REPORT: &str = r#"{"schema":1,"reference":"built in","materials":3,"quick"
 "bytes":128,"shared_bytes":9000,"error":{"log_error":{"mean":0.01,"p10":0,"p90":0.02,"max":0.1}}}]}"#;
 
 const STRESS: &str = r#"{"schema":1,"reference":"built in","checkpoint":"c","extent":{"materials":4,"few":1,"ends":12,
-"pairs":6,"steps":60},"seed":0,"asked":[[],["lambert"]],"groups":["directions","paths"],"cells":[
-{"hazard":"mirror","group":"directions","method":"lambert","value":8.3,"threshold":{"holds":0.18,"fails":0.69},
+"pairs":6,"steps":60},"counted":{"materials":4,"few":1,"ends":12,"pairs":6,"steps":60},"work":"w","seed":0,"asked":[[],["lambert"]],"groups":["directions","paths"],"cells":[
+{"hazard":"mirror","group":"directions","method":"lambert","value":8.3,"threshold":{"holds":0.182,"fails":0.693},
 "verdict":"fails","count":4,"share":0.5,"worst":["chrome"],"warnings":["not_carried"],"picture":"iVBORw0KGgo="},
-{"hazard":"retro","group":"directions","method":"znbrdf","variant":"refined","value":null,"threshold":{"holds":0.18,
-"fails":0.69},"verdict":"refuses","count":1,"share":1,"worst":[],"warnings":[],"note":"no code"},
+{"hazard":"retro","group":"directions","method":"znbrdf","variant":"refined","value":null,"threshold":{"holds":0.182,
+"fails":0.693},"verdict":"refuses","count":1,"share":1,"worst":[],"warnings":[],"note":"no code"},
 {"hazard":"many","group":"paths","method":"latent","value":0.8,"threshold":{"holds":0.84,"fails":1},"verdict":"holds",
 "count":1,"share":0,"worst":["a > b"],"warnings":[]}]}"#;
 

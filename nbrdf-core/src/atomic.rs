@@ -32,8 +32,16 @@ pub fn write(path: &Path, bytes: &[u8]) -> Result<()> {
 pub fn write_together(files: &[(PathBuf, Vec<u8>)]) -> Result<()> {
     let Some((first, _)) = files.first() else { return Ok(()) };
     let _held = hold(folder_of(first));
-    let staged = files.iter().map(|(path, bytes)| Ok((path, stage(path, bytes)?))).collect::<Result<Vec<_>>>()?;
-    match fs::remove_file(first) {
+    let staged = files.iter().map(|(path, bytes)| {
+        let path = behind_links(path)?;
+        if path.is_dir() {
+            return Err(Error::new(ErrorKind::IsADirectory, format!("{} is a folder", path.display())));
+        }
+        let file = stage(&path, bytes)?;
+        Ok((path, file))
+    });
+    let staged = staged.collect::<Result<Vec<_>>>()?;
+    match fs::remove_file(behind_links(first)?) {
         Err(error) if error.kind() != ErrorKind::NotFound => return Err(error),
         _ => {}
     }
@@ -50,12 +58,22 @@ pub struct Held(#[expect(dead_code, reason = "holds by being open")] Option<File
 
 /// Keeps others from replacing a folder's files together while this does. Where a file system knows no locks, there is none.
 pub fn hold(folder: &Path) -> Held {
-    Held(File::open(folder).ok().filter(|folder| folder.lock().is_ok()))
+    Held(File::open(folder).ok().filter(|folder| uninterrupted(|| folder.lock())))
 }
 
 /// Keeps others from replacing a folder's files together while they are read, by any number of readers at once.
 pub fn hold_to_read(folder: &Path) -> Held {
-    Held(File::open(folder).ok().filter(|folder| folder.lock_shared().is_ok()))
+    Held(File::open(folder).ok().filter(|folder| uninterrupted(|| folder.lock_shared())))
+}
+
+/// Whether a lock was taken; a signal while waiting is no reason to go on without.
+fn uninterrupted(lock: impl Fn() -> Result<()>) -> bool {
+    loop {
+        match lock() {
+            Err(error) if error.kind() == ErrorKind::Interrupted => {}
+            other => return other.is_ok(),
+        }
+    }
 }
 
 /// A complete file under a temporary name.

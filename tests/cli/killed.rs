@@ -149,7 +149,14 @@ fn a_killed_import_leaves_a_library_that_is_old_or_new() {
     let arguments = ["import", "more", "-o", "out", "--quiet", "--shared-start", "--steps"];
     let fitted =
         Victim { arguments: [&arguments[..], &["60"]].concat(), other: [&arguments[..], &["5"]].concat(), ..quick };
-    fitted.kill(20, |found, _, _| found.is_empty() || Library::load(&folder).is_ok_and(|own| own.len() == 3), |_| true);
+    fitted.kill(
+        20,
+        |found, old, _| match found.is_empty() {
+            true => old.is_empty(),
+            false => Library::load(&folder).is_ok_and(|own| own.len() == 3),
+        },
+        |_| true,
+    );
 }
 
 #[test]
@@ -202,13 +209,21 @@ fn a_training_that_is_stopped_and_then_killed_goes_on_to_the_same_bits() {
     let state = place.file("a.safetensors.state");
     let resume = [&train("a.safetensors")[..], &["--resume"]].concat();
     let rng = &mut generator(10, 0);
-    for _ in 0..10 {
+    let (mut kills, mut tries) = (0, 0);
+    while kills < 10 {
+        tries += 1;
+        assert!(tries < 100, "the program is hardly ever met at work");
         let mut child = place.start(&resume);
         std::thread::sleep(took.mul_f64(rng.random_range(0.0..0.1)));
         child.kill().unwrap();
-        assert_eq!(child.wait().unwrap().signal(), Some(9));
+        kills += usize::from(child.wait().unwrap().signal() == Some(9));
+        if place.path().join("a.safetensors").exists() {
+            // It was done already: back to where it was stopped.
+            assert!(place.file("a.safetensors") == place.file("whole.safetensors"));
+            std::fs::remove_file(place.path().join("a.safetensors")).unwrap();
+            place.write("a.safetensors.state", &state);
+        }
         assert!(place.file("a.safetensors.state") == state, "what was saved is not touched before more is");
-        assert!(!place.path().join("a.safetensors").exists());
     }
     place.run(&resume).ok();
     assert!(place.file("a.safetensors") == place.file("whole.safetensors"));

@@ -118,13 +118,17 @@ fn a_folder_that_is_not_to_be_written_is_refused_before_the_work() {
 fn a_folder_that_vanishes_during_the_work_is_named() {
     let place = inputs();
     std::fs::create_dir(place.path().join("gone")).unwrap();
-    let line = "\"$NBRDF\" fit a.csv -o gone/a.npz --steps 100000 --quiet & sleep 0.1; rmdir gone; wait $!";
-    let run = Command::new("sh")
-        .args(["-c", line])
-        .env("NBRDF", env!("CARGO_BIN_EXE_nbrdf"))
-        .current_dir(place.path())
-        .output()
-        .unwrap();
+    let line = "mkdir -p gone; \"$NBRDF\" fit a.csv -o gone/a.npz --steps 100000 --quiet & sleep \"$WAIT\"; rmdir gone; wait $!";
+    // On a busy machine it may take a while until the work has begun: before, the folder is missed at once.
+    let runs = ["0.2", "1", "3", "9"].map(|wait| {
+        move |place: &Place| {
+            let mut run = Command::new("sh");
+            let run = run.args(["-c", line]).env("WAIT", wait).env("NBRDF", env!("CARGO_BIN_EXE_nbrdf"));
+            run.current_dir(place.path()).output().unwrap()
+        }
+    });
+    let during = runs.into_iter().map(|run| run(&place)).find(|run| run.status.code() != Some(3));
+    let run = during.expect("the work begins within nine seconds");
     let said = String::from_utf8_lossy(&run.stderr);
     assert_eq!(run.status.code(), Some(1), "{said}");
     assert!(said.contains("gone/a.npz") && said.contains("gone does not exist: create it first"), "{said}");

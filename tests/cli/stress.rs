@@ -91,7 +91,7 @@ fn what_makes_no_sense_is_refused_and_names_are_suggested() {
     assert!(stress(&["--method", "znbrf"]).fails(2).contains("did you mean 'znbrdf'"));
     stress(&["--hazard", "seeds", "--method", "lambert"]).fails(2);
     stress(&["-o", "page.txt"]).fails(2);
-    let unknown = br#"{"schema":1,"reference":"r","checkpoint":"c","extent":{"materials":1,"few":1,"ends":1,"pairs":1,"steps":1},"seed":0,"asked":[[],[]],"groups":[],"cells":[]}"#;
+    let unknown = br#"{"schema":1,"reference":"r","checkpoint":"c","extent":{"materials":1,"few":1,"ends":1,"pairs":1,"steps":1},"counted":{"materials":1,"few":1,"ends":1,"pairs":1,"steps":1},"work":"w","seed":0,"asked":[[],[]],"groups":[],"cells":[]}"#;
     for bytes in
         [&b"{}"[..], b"", b"[1,2", &unknown[..unknown.len() - 2], &unknown.map(|b| if b == b'1' { b'7' } else { b })]
     {

@@ -8,7 +8,7 @@ use autoencoder::{Architecture, Autoencoder};
 use nbrdf_core::representation::basis::{BasisFile, Opened};
 use nbrdf_core::representation::grid::Grid;
 use nbrdf_core::representation::refined::Refined;
-use nbrdf_core::{Database, Interpolation, Library, Material, Split};
+use nbrdf_core::{Database, Interpolation, Library, Material, Representation as _, Split};
 
 use super::held::Held;
 use super::once::Once;
@@ -123,6 +123,15 @@ impl Catalog {
     /// What errors are measured against.
     pub fn reference(&self) -> &Reference {
         &self.reference
+    }
+
+    /// Mark of what was learned and is used: that of the checkpoint, and of a basis that was named.
+    pub fn mark(&self) -> String {
+        let own = self.autoencoder().checkpoint().to_owned();
+        match &self.held {
+            Some(held) => format!("{own}, {} {}", held.file.name(), held.file.checkpoint()),
+            None => own,
+        }
     }
 
     /// The name of what the checkpoint's file holds; none where none was named.

@@ -82,7 +82,7 @@ impl Blend {
         output::check(&self.output, &output::PICTURES)?;
         let shelf = self.sources.open()?;
         let ends = self.ends(&shelf)?;
-        if let Some((beyond, warning)) = samples.iter().find_map(|sample| Some((sample, sample.weights.warning()?))) {
+        if let Some((beyond, warning)) = samples.iter().find_map(|sample| Some((sample, sample.warning.clone()?))) {
             global.warn_of(&beyond.label, [warning])?;
         }
         let limit = ends.iter().map(|end| albedo_max(end.brdf.as_ref())).fold(1.0, f64::max);

@@ -4,6 +4,7 @@ use std::path::PathBuf;
 
 use anyhow::{Context, Result};
 use clap::Args;
+use nbrdf_core::metric::albedo_max;
 use nbrdf_core::{Code, atomic};
 
 use super::Global;
@@ -60,7 +61,9 @@ impl Encode {
         }
         let brightness = guard::of_brightness(item.material.brdf.as_ref());
         let distance = guard::of_distance(&code, &shelf.catalog.autoencoder())?;
-        global.warn_of(&item.material.name, brightness.into_iter().chain(distance))?;
+        let energy = guard::of_energy(albedo_max(decoded.as_ref()));
+        let told = brightness.into_iter().chain(distance).chain(energy).chain(guard::of_reciprocity(decoded.as_ref()));
+        global.warn_of(&item.material.name, told)?;
         let code = Code {
             material: Some(item.material.name),
             expected_log_error: Some(trust.expected_log_error),

@@ -62,6 +62,9 @@ impl Fit {
         self.check(&measured)?;
         let start = self.start(global.seed());
         let options = FitOptions { steps: self.steps as usize, ..FitOptions::shared_start(global.seed()) };
+        if let Measured::Somewhere(list) = &measured {
+            global.warn_of(&measured::name_of(&self.source), guard::of_samples(list.len(), start.weights().len()))?;
+        }
         let fits = 1 + u64::from(self.leave_out.unwrap_or(0));
         let bar = progress::bar(fits * u64::from(self.steps), "fitting", global.quiet);
         let cancelled = || {
@@ -70,11 +73,7 @@ impl Fit {
         };
         let fitted = Fitted::to(&measured, turns, &start, options, &cancelled)?;
         let material = measured::name_of(&self.source);
-        let few = match &measured {
-            Measured::Somewhere(list) => guard::of_samples(list.len(), fitted.weights().len()),
-            _ => None,
-        };
-        global.warn_of(&material, few.into_iter().chain(guard::of_energy(fitted.albedo_max())))?;
+        global.warn_of(&material, guard::of_energy(fitted.albedo_max()))?;
         // Before it is judged by more fits: what is done is not lost with them.
         fitted.write(&self.output)?;
         let error = match &measured {

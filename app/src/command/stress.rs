@@ -61,9 +61,14 @@ pub struct Stress {
 impl Stress {
     /// Runs the command.
     pub fn run(&self, global: &Global) -> Result<()> {
-        output::check(&self.output, &["html"])?;
+        if self.output.extension().is_none_or(|extension| extension != "html") {
+            let path = self.output.display();
+            return Err(Failure::Usage(format!("{path}: expected the extension .html")).into());
+        }
         let map = self.output.with_extension("svg");
-        output::check(&map, &["svg"])?;
+        for path in [&self.output, &map, &self.partial()] {
+            output::check_writable(path)?;
+        }
         if let Some(folder) = &self.pictures {
             output::make_folder(folder)?;
         }
@@ -77,12 +82,16 @@ impl Stress {
         if let Some(folder) = &self.pictures {
             worst::draw(folder, &saved)?;
         }
-        let _ = std::fs::remove_file(self.partial());
         let silent = saved.cells.iter().filter(|cell| cell.is_silent()).count();
         if silent > 0 {
             global.say(format_args!("{silent} of {} cells fail and nothing is said", saved.cells.len()));
         }
-        report::print(global, &saved.json(), || text::text(&saved, &self.output))
+        report::print(global, &saved.json(), || text::text(&saved, &self.output))?;
+        // Only now is everything where it belongs.
+        if self.from.is_none() {
+            let _ = std::fs::remove_file(self.partial());
+        }
+        Ok(())
     }
 
     fn measure(&self, global: &Global) -> Result<Saved> {
@@ -97,12 +106,20 @@ impl Stress {
             hazards: self.hazards.clone(),
             methods: self.methods.clone(),
         };
-        let mut saved = Saved::new(&setup);
-        if self.resume && self.partial().exists() {
-            saved = saved.resumed(Saved::load(&self.partial())?, &self.partial())?;
-        } else if self.resume {
-            global.warn(format_args!("nothing to go on from at {}: starting anew", self.partial().display()))?;
+        let mut saved = Saved::new(&setup)?;
+        let partial = self.partial();
+        match (self.resume, partial.exists()) {
+            (true, true) => saved = saved.resumed(Saved::load(&partial)?, &partial)?,
+            (true, false) => {
+                global.warn(format_args!("nothing to go on from at {}: starting anew", partial.display()))?;
+            }
+            (false, true) => global.warn(format_args!(
+                "{} of an interrupted run is written over: --resume would go on with it",
+                partial.display()
+            ))?,
+            (false, false) => {}
         }
+        let is_resumed = !saved.groups.is_empty();
         let bar = progress::spinner("measuring", global.quiet);
         for group in Group::ALL {
             if saved.groups.contains(&group) || !setup.wants_any(group) {
@@ -117,10 +134,15 @@ impl Stress {
             saved.cells.extend(cells.with_context(|| self.advice(&saved))?);
             saved.groups.push(group);
             // What is done is done: the next run may go on from here.
-            write(&self.partial(), &serde_json::to_string(&saved)?)?;
+            if !saved.cells.is_empty() {
+                write(&partial, &serde_json::to_string(&saved)?)?;
+            }
         }
         bar.finish_and_clear();
-        catalog.check_used()?;
+        // Whoever asked for a basis before the interruption is not known any more.
+        if !is_resumed {
+            catalog.check_used()?;
+        }
         if saved.cells.is_empty() {
             return Err(Failure::Usage("no such method is exposed to such a hazard: name others".into()).into());
         }

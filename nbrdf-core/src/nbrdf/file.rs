@@ -81,6 +81,9 @@ pub fn read(path: &Path) -> Result<Nbrdf, ReadError> {
     let (form, stem) = Form::of(name).ok_or(ReadProblem::UnknownForm).map_err(of)?;
     match form {
         Form::Npy(_) => {
+            // Not while somebody replaces them.
+            let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
+            let _held = atomic::hold_to_read(folder);
             let files = ARRAYS.map(|array| {
                 let sibling = path.with_file_name(format!("{stem}_{array}.npy"));
                 sibling.exists().then(|| bytes(&sibling))

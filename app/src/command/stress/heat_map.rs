@@ -18,7 +18,7 @@ pub(super) fn draw(saved: &Saved) -> Grid {
         title: format!("Where methods fail: {fails} of {all} cells, {silent} of them without a warning"),
         subtitle: format!(
             "{holds} hold, {degrades} degrade, {refuses} refuse with an error; {} held-out materials, {} reference",
-            saved.extent.materials, saved.reference
+            saved.counted.materials, saved.reference
         ),
         kinds: Verdict::ALL.map(|verdict| verdict.name().to_owned()).to_vec(),
         marked: "fails, and says so".to_owned(),

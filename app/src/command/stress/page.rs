@@ -33,7 +33,7 @@ fn write(out: &mut String, saved: &Saved, map: &str) -> fmt::Result {
         count(Verdict::Degrades),
         count(Verdict::Refuses),
         count(Verdict::Fails),
-        saved.extent.materials,
+        saved.counted.materials,
         escaped(&saved.reference),
         saved.seed,
         escaped(&saved.checkpoint)

@@ -26,8 +26,12 @@ pub struct Saved {
     pub reference: String,
     /// The mark of the ZNBRDF checkpoint.
     pub checkpoint: String,
-    /// How much was measured.
+    /// Mark of what is measured against, by which hazards and with which version: a run goes on with its own work only.
+    pub work: String,
+    /// How much was asked for.
     pub extent: Extent,
+    /// How much there was of that.
+    pub counted: Extent,
     /// Of everything random.
     pub seed: u64,
     /// Names that were asked for; none where all were.
@@ -40,17 +44,22 @@ pub struct Saved {
 
 impl Saved {
     /// Before anything is measured.
-    pub fn new(setup: &Setup) -> Self {
-        Self {
+    ///
+    /// # Errors
+    /// Where there are too few materials.
+    pub fn new(setup: &Setup) -> Result<Self> {
+        Ok(Self {
             schema: 1,
             reference: setup.catalog.reference().kind.clone(),
-            checkpoint: nbrdf_core::Representation::checkpoint(setup.catalog.autoencoder().as_ref()).to_owned(),
+            checkpoint: setup.catalog.mark(),
+            work: setup.work(),
             extent: setup.extent,
+            counted: setup.counted()?,
             seed: setup.seed,
             asked: [setup.hazards.clone(), setup.methods.clone()],
             groups: Vec::new(),
             cells: Vec::new(),
-        }
+        })
     }
 
     /// Reads a report.
@@ -72,23 +81,28 @@ impl Saved {
             return Err(invalid(&format_args!("{} cells, of {MOST_CELLS} at most", saved.cells.len())).into());
         }
         let known = hazards();
-        let is_known =
-            |cell: &&Cell| known.iter().any(|hazard| hazard.name == cell.hazard && hazard.group == cell.group);
-        match saved.cells.iter().find(|cell| !is_known(cell)) {
-            Some(cell) => Err(invalid(&format_args!("the hazard {:?}, which is not known here", cell.hazard)).into()),
-            None => Ok(saved),
+        for cell in &saved.cells {
+            let hazard = known.iter().find(|hazard| hazard.name == cell.hazard && hazard.group == cell.group);
+            let hazard = hazard
+                .ok_or_else(|| invalid(&format_args!("the hazard {:?}, which is not known here", cell.hazard)))?;
+            if !cell.is_sound(hazard) {
+                let found = format!("a cell of {:?} whose verdict nobody gives here", cell.hazard);
+                return Err(invalid(&found).into());
+            }
         }
+        Ok(saved)
     }
 
     /// Goes on from another one, which must be of the same work.
     pub fn resumed(self, other: Self, path: &Path) -> Result<Self> {
-        let is_same = self.reference == other.reference
+        let is_same = self.work == other.work
+            && self.reference == other.reference
             && self.checkpoint == other.checkpoint
             && self.extent == other.extent
             && self.seed == other.seed
             && self.asked == other.asked;
         if !is_same {
-            let found = format!("{} is of other materials, hazards, methods or another seed", path.display());
+            let found = format!("{} is of other materials, hazards, methods, another seed or version", path.display());
             return Err(Failure::InvalidFile(format!("{found}: leave out --resume to start anew")).into());
         }
         Ok(other)

@@ -25,6 +25,6 @@ pub(super) fn text(saved: &Saved, page: &Path) -> String {
             lines.push(format!("{}: {}", hazard.title, sentence(saved, hazard)));
         }
     }
-    let materials = format!("{} held-out materials, {} reference", saved.extent.materials, saved.reference);
+    let materials = format!("{} held-out materials, {} reference", saved.counted.materials, saved.reference);
     format!("{materials}\n\n{table}\n{}\n\nworst examples in {}\n", lines.join("\n"), page.display())
 }

@@ -61,6 +61,15 @@ impl Cell {
         }
     }
 
+    /// Whether this is what the hazard gives: its thresholds, and the verdict of the value.
+    pub fn is_sound(&self, hazard: &Hazard) -> bool {
+        let is_judged = match self.value {
+            Some(value) => hazard.verdict(value) == self.verdict,
+            None => matches!(self.verdict, Verdict::Fails | Verdict::Refuses),
+        };
+        is_judged && [self.threshold.holds, self.threshold.fails] == [hazard.holds, hazard.fails]
+    }
+
     /// Whether the method fails and nothing is said.
     pub fn is_silent(&self) -> bool {
         self.verdict == Verdict::Fails && self.warnings.is_empty()

@@ -15,7 +15,7 @@ use rayon::prelude::*;
 
 use super::lists;
 use super::picture::View;
-use super::tally::{Look, Tally};
+use super::tally::{Look, Tally, worse_by};
 use super::{Cell, Setup};
 use crate::measure::guard;
 
@@ -47,7 +47,7 @@ pub(super) fn cells(setup: &Setup, done: &(dyn Fn(&str) -> Result<()> + Sync)) -
             let again = |own: &Clean| {
                 let (fitted, more) = fitter.fit(list, own.material.brdf.as_ref(), setup.seed)?;
                 let warnings = more.into_iter().chain(guard::of_reflectance(fitted.as_ref())).collect();
-                Ok((added(own, fitted.as_ref()), fitted, warnings))
+                Ok((added(own, fitted.as_ref()), [Arc::clone(&own.fitted), fitted], warnings))
             };
             cells.extend(self::cell(&list.hazard, &clean, &again).cell(entry.name, entry.shown_variant()));
         }
@@ -55,16 +55,16 @@ pub(super) fn cells(setup: &Setup, done: &(dyn Fn(&str) -> Result<()> + Sync)) -
     Ok(cells)
 }
 
-/// What a fit to bad measurements is: how bad, the fit itself, and what is said of it.
-type Bad = Result<(f64, Fitted, Vec<Warning>), String>;
+/// What a fit to bad measurements is: how bad, what should be, the fit itself, and what is said of it.
+type Bad = Result<(f64, [Fitted; 2], Vec<Warning>), String>;
 
 fn cell<'a>(hazard: &'a Hazard, clean: &[Measured], again: &(dyn Fn(&Clean) -> Bad + Sync)) -> Tally<'a> {
     let mut tally = Tally::new(hazard);
     let fits: Vec<Bad> = clean.par_iter().map(|(_, own)| own.as_ref().map_err(String::clone).and_then(again)).collect();
     for ((name, own), fit) in clean.iter().zip(fits) {
         match (own, fit) {
-            (Ok(own), Ok((value, fitted, warnings))) => tally.add(name, value, || {
-                let panels = vec![(name.clone(), Arc::clone(&own.fitted)), ("damaged".to_owned(), fitted)];
+            (Ok(_), Ok((value, [wanted, fitted], warnings))) => tally.add(name, value, || {
+                let panels = vec![(name.clone(), wanted), ("damaged".to_owned(), fitted)];
                 (Look { panels, view: View::Studio }, warnings)
             }),
             (Err(error), _) => tally.refuse(name, error),
@@ -96,15 +96,18 @@ fn of_table(setup: &Setup, representation: &dyn Representation, damage: &Damage,
     let measured = Material::new(&own.material.name, table);
     let code = representation.encode(&measured).map_err(|error| error.to_string())?;
     let fitted: Fitted = Arc::from(representation.decode(&code).map_err(|error| error.to_string())?);
-    let value = match damage.scale {
-        Some(scale) => LogError.distance(&Scaled { inner: Arc::clone(&own.fitted), scale }, fitted.as_ref()),
-        None => added(own, fitted.as_ref()),
+    let (value, wanted): (f64, Fitted) = match damage.scale {
+        Some(scale) => {
+            let wanted = Scaled { inner: Arc::clone(&own.fitted), scale };
+            (LogError.distance(&wanted, fitted.as_ref()), Arc::new(wanted))
+        }
+        None => (added(own, fitted.as_ref()), Arc::clone(&own.fitted)),
     };
     let warnings = guard::of_encoded(&measured, &code, fitted.as_ref(), &setup.known());
-    Ok((value, fitted, warnings.map_err(|error| error.to_string())?))
+    Ok((value, [wanted, fitted], warnings.map_err(|error| error.to_string())?))
 }
 
 /// How much further from the truth than with clean measurements.
 fn added(own: &Clean, fitted: &dyn Brdf) -> f64 {
-    (LogError.distance(own.material.brdf.as_ref(), fitted) - own.error).max(0.0)
+    worse_by(LogError.distance(own.material.brdf.as_ref(), fitted) - own.error)
 }

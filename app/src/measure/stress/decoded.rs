@@ -58,12 +58,15 @@ struct Shown {
     values: Vec<Option<f64>>,
 }
 
+/// Of a reference and a model.
+type Value = Box<dyn Fn(&dyn Brdf, &dyn Brdf) -> f64 + Sync>;
+
 /// A hazard of this file.
 struct Asked {
     hazard: &'static Hazard,
     view: View,
     only_glossy: bool,
-    value: Box<dyn Fn(&dyn Brdf, &dyn Brdf) -> f64 + Sync>,
+    value: Value,
     said: Option<fn() -> Option<Warning>>,
 }
 

@@ -10,12 +10,12 @@ use std::sync::Arc;
 
 use anyhow::Result;
 use nbrdf_core::metric::{LogError, Metric};
-use nbrdf_core::stress::{Group, Hazard};
+use nbrdf_core::stress::{Group, Hazard, Verdict};
 use nbrdf_core::{Brdf, Database, Material, Representation, Split, Warning};
 use rayon::prelude::*;
 
 use super::picture::View;
-use super::tally::{Look, Tally};
+use super::tally::{Look, Tally, worse_by};
 use super::{Cell, Setup};
 use crate::measure::guard;
 use student::{STUDENTS, Student};
@@ -71,7 +71,14 @@ pub(super) fn cells(setup: &Setup, done: &(dyn Fn(&str) -> Result<()> + Sync)) -
             done(student.name)?;
             Ok(student.learn(setup, materials, seed, done)?.map(|learned| lesson.examined(learned)))
         };
-        let Ok(best) = teach(&all, setup.seed)? else { continue };
+        let best = match teach(&all, setup.seed)? {
+            Ok(best) => best,
+            Err(refusal) => {
+                let asked = HAZARDS.iter().filter(|hazard| setup.wants(hazard));
+                cells.extend(asked.filter_map(|hazard| lesson.refused(hazard, &refusal)));
+                continue;
+            }
+        };
         for (syllabus, hazard) in SYLLABI.iter().zip(&HAZARDS).filter(|(_, hazard)| setup.wants(hazard)) {
             cells.extend(match teach(&syllabus.materials(&all), setup.seed)? {
                 Ok(taught) => lesson.less(hazard, syllabus, &best, &taught),
@@ -139,7 +146,11 @@ impl Lesson<'_> {
         let note = format!("mean log_error {}", means.collect::<Vec<_>>().join(", "));
         let value = |name: &str| {
             let errors: Option<Vec<f64>> = all().map(|taught| error(taught, name)).collect();
+            // A seed without a number would vanish between the others.
             let errors = errors?;
+            if !errors.iter().all(|error| error.is_finite()) {
+                return Some(f64::NAN);
+            }
             let (low, high) = errors.iter().fold((f64::INFINITY, 0f64), |(low, high), &e| (low.min(e), high.max(e)));
             Some(high - low)
         };
@@ -158,13 +169,13 @@ impl Lesson<'_> {
         for material in materials {
             let name = &material.name;
             match value(name) {
-                // Better than before is no worse than before.
-                Some(value) => tally.add(name, value.max(0.0), || self.look(material, taught)),
+                Some(value) => tally.add(name, worse_by(value), || self.look(material, taught)),
                 None => tally.refuse(name, "no code"),
             }
         }
         let cell = tally.cell(self.student.name, None)?;
-        Some(Cell { note: Some(note), ..cell })
+        let note = if cell.verdict == Verdict::Refuses { cell.note } else { Some(note) };
+        Some(Cell { note, ..cell })
     }
 
     fn look(&self, material: &Material, taught: &Taught) -> (Look, Vec<Warning>) {

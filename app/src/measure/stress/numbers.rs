@@ -13,7 +13,7 @@ use nbrdf_core::{Brdf, Code, Material, Nbrdf, Representation, Rgb, Warning};
 use rayon::prelude::*;
 
 use super::picture::View;
-use super::tally::{Look, Tally};
+use super::tally::{Look, Tally, worse_by};
 use super::{Cell, Setup};
 use crate::catalog::RepresentationEntry;
 use crate::measure::guard;
@@ -40,11 +40,14 @@ struct Tried<'a> {
     materials: &'a [Material],
 }
 
+/// How bad, what was found, and what is said of it.
+type Judged = Result<(f64, Arc<dyn Brdf>, Vec<Warning>), String>;
+
 /// What became of a material: what should be, what is, and what is said of it.
 struct Outcome {
     name: String,
     wanted: Arc<dyn Brdf>,
-    result: Result<(f64, Arc<dyn Brdf>, Vec<Warning>), String>,
+    result: Judged,
 }
 
 impl Tried<'_> {
@@ -84,7 +87,7 @@ impl Tried<'_> {
                 let other = Material::from_network(&material.name, network(own, self.setup.seed));
                 let result = error(material).and_then(|(usual, ..)| {
                     let (value, found, warnings) = error(&other)?;
-                    Ok(((value - usual).max(0.0), found, warnings))
+                    Ok((worse_by(value - usual), found, warnings))
                 });
                 Some(Outcome { name: material.name.clone(), wanted: other.brdf, result })
             };
@@ -163,7 +166,7 @@ impl Tried<'_> {
         asked.then(|| self.cell(&FAR, self.materials.par_iter().flat_map(one).collect())).flatten()
     }
 
-    fn judged(&self, numbers: Vec<f32>) -> Result<(f64, Arc<dyn Brdf>, Vec<Warning>), String> {
+    fn judged(&self, numbers: Vec<f32>) -> Judged {
         let code: Code = self.representation.code(numbers);
         let found = self.representation.decode(&code).map_err(|error| error.to_string())?;
         let known = self.setup.known();

@@ -16,7 +16,7 @@ const DETOUR: &str = "way from end to middle to end, over the distance of the en
 pub(super) const WORST_PAIR: Hazard = Hazard {
     name: "worst_pair",
     group: Group::Paths,
-    title: "The worst of all pairs of MERL materials: screened by log values, the worst 100 by ΔE_ITP of spheres",
+    title: "The worst of all pairs of MERL materials: screened by log values, the worst of them by ΔE_ITP of spheres",
     measure: DETOUR,
     holds: 1.25,
     fails: 2.0,
@@ -116,7 +116,7 @@ struct Walker<'a> {
 }
 
 /// MERL materials by name, evenly picked.
-fn merl(setup: &Setup) -> Result<Vec<Material>> {
+pub(super) fn merl(setup: &Setup) -> Result<Vec<Material>> {
     let reference = setup.catalog.reference();
     let is_merl = |material: &&Material| Database::of(&material.name) == Database::Merl;
     let mut merl: Vec<&Material> = reference.materials.iter().filter(is_merl).collect();

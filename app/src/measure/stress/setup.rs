@@ -4,6 +4,8 @@ use std::sync::Arc;
 
 use anyhow::Result;
 use autoencoder::Autoencoder;
+use nbrdf_core::hash::short_hash;
+use nbrdf_core::sampling::{evaluate, rus32k};
 use nbrdf_core::stress::{Group, Hazard, damage, directions, numbers, samples};
 use nbrdf_core::{Database, Material, Split};
 
@@ -64,6 +66,30 @@ pub fn hazards() -> Vec<&'static Hazard> {
 }
 
 impl Setup<'_> {
+    /// Mark of the work: what the materials reflect at some directions, the hazards with their thresholds, the version.
+    pub fn work(&self) -> String {
+        let at: Vec<_> = rus32k().iter().step_by(4096).copied().collect();
+        let values = self.catalog.reference().materials.iter().flat_map(|m| evaluate(m.brdf.as_ref(), &at));
+        let thresholds = hazards().into_iter().flat_map(|hazard| [hazard.holds as f32, hazard.fails as f32]);
+        let names = hazards().into_iter().flat_map(|hazard| hazard.name.bytes()).map(f32::from);
+        let mark = short_hash(values.flat_map(|f| f.0).chain(thresholds).chain(names));
+        format!("{mark} {}", env!("CARGO_PKG_VERSION"))
+    }
+
+    /// How much there is of what is asked for.
+    ///
+    /// # Errors
+    /// Where there are too few materials.
+    pub fn counted(&self) -> Result<Extent> {
+        let has_walks = self.wants_any(Group::Paths);
+        Ok(Extent {
+            materials: self.held_out(self.extent.materials)?.len(),
+            few: self.held_out(self.extent.few)?.len(),
+            ends: if has_walks { paths::merl(self)?.len() } else { 0 },
+            ..self.extent
+        })
+    }
+
     /// Whether a hazard is asked for.
     pub fn wants(&self, hazard: &Hazard) -> bool {
         let is_named = |name: &String| name == hazard.name || name == hazard.group.name();

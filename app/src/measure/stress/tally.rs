@@ -19,6 +19,11 @@ pub struct Look {
     pub view: View,
 }
 
+/// How much worse; no better than nothing, and what is no number stays none.
+pub fn worse_by(difference: f64) -> f64 {
+    if difference.is_nan() { difference } else { difference.max(0.0) }
+}
+
 /// All examples of a cell.
 pub struct Tally<'a> {
     hazard: &'a Hazard,
@@ -50,8 +55,10 @@ impl<'a> Tally<'a> {
 
     /// The cell; none of no examples.
     pub fn cell(mut self, method: &str, variant: Option<&str>) -> Option<Cell> {
-        self.values.sort_by(|a, b| b.1.total_cmp(&a.1).then_with(|| a.0.cmp(&b.0)));
-        let count = self.values.len() + self.refused.len();
+        // Stable: of equals, the first is the one whose look was kept.
+        self.values.sort_by(|a, b| b.1.total_cmp(&a.1));
+        let refused = self.refused.len();
+        let count = self.values.len() + refused;
         let hazard = self.hazard;
         let (value, verdict) = match self.values.first() {
             Some(&(_, value)) => (Some(value).filter(|value| value.is_finite()), hazard.verdict(value)),
@@ -74,7 +81,7 @@ impl<'a> Tally<'a> {
             threshold: Threshold::of(hazard),
             verdict,
             count,
-            share: bad as f64 / count as f64,
+            share: bad as f64 / (count - refused).max(1) as f64,
             worst: self.values.into_iter().map(|(name, _)| name).take(WORST).collect(),
             warnings: kinds,
             note: self.refused.into_iter().next(),
@@ -116,6 +123,11 @@ mod tests {
             (vec!["1".into(), "3".into(), "2".into()], vec!["extrapolated".into()])
         );
         assert!(found.picture.is_some());
+    }
+
+    #[test]
+    fn no_number_is_no_improvement() {
+        assert!(worse_by(f64::NAN).is_nan() && worse_by(-1.0) == 0.0 && worse_by(2.0) == 2.0);
     }
 
     #[test]

@@ -44,7 +44,7 @@ impl Student {
         done: &(dyn Fn(&str) -> Result<()> + Sync),
     ) -> Result<Result<Arc<dyn Representation>, String>> {
         match self.name {
-            "znbrdf" => trained(setup, materials, seed, done).map(Ok),
+            "znbrdf" => trained(setup, materials, seed, done),
             name => {
                 let catalog = setup.catalog.learning_from(materials.to_vec());
                 Ok(catalog.representation(name, false).map_err(|error| format!("{error:#}")))
@@ -59,7 +59,7 @@ fn trained(
     materials: &[Material],
     seed: u64,
     done: &(dyn Fn(&str) -> Result<()> + Sync),
-) -> Result<Arc<dyn Representation>> {
+) -> Result<Result<Arc<dyn Representation>, String>> {
     let shared = builtin::shared();
     let own = |material: &Material| Some(shared.get(&material.name).ok()?.network.clone());
     let networks: Vec<Nbrdf> = materials.iter().filter_map(own).collect();
@@ -88,6 +88,7 @@ fn trained(
     });
     match (trained, stopped) {
         (Err(TrainError::Stopped { .. }), Some(error)) => Err(error),
-        (trained, _) => Ok(Arc::new(Refined::briefly(Arc::new(trained?)))),
+        (Err(few @ TrainError::TooFew { .. }), _) => Ok(Err(few.to_string())),
+        (trained, _) => Ok(Ok(Arc::new(Refined::briefly(Arc::new(trained?))))),
     }
 }

@@ -98,7 +98,7 @@ impl<'a> Screening<'a> {
         Ok(cells)
     }
 
-    /// Detours of all pairs, by values; infinite where there is no walk.
+    /// Detours of all pairs, by values; −∞ where there is no walk.
     fn screened(&self, method: &dyn Interpolation, walker: &Walker) -> Result<Vec<f64>> {
         let ends = walker.ends;
         let prepared = match method.name() {
@@ -130,7 +130,8 @@ impl<'a> Screening<'a> {
         // In parts, so that the work can be ended.
         for part in self.pairs.chunks(256) {
             (walker.done)(&format!("{}, pair {} of {}", method.name(), detours.len(), self.pairs.len()))?;
-            detours.par_extend(part.par_iter().map(|pair| detour(pair).unwrap_or(f64::INFINITY)));
+            // Pairs that are refused must not take the places of those that are walked.
+            detours.par_extend(part.par_iter().map(|pair| detour(pair).unwrap_or(f64::NEG_INFINITY)));
         }
         Ok(detours)
     }
