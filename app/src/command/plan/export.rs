@@ -15,6 +15,8 @@ use super::Opened;
 
 /// What tells the file of every object.
 const INDEX: &str = "plan.json";
+/// Key of the files that are to be taken away.
+const SUPERSEDED: &str = "superseded";
 /// Longest name of a material within a file's name.
 const LONGEST: usize = 96;
 /// Largest index of before that is read, and largest material that is copied \[bytes\].
@@ -47,15 +49,22 @@ pub fn export(folder: &Path, opened: &Opened, planner: &Planner, plan: &Plan) ->
         }
         objects.push(object);
     }
-    let path = folder.join(INDEX);
-    let text = format!("{:#}\n", json!({"schema": 1, "objects": objects}));
-    atomic::write(&path, text.as_bytes()).with_context(|| format!("{}: cannot be written", path.display()))?;
     let now: BTreeSet<String> = written.values().map(|name| name.to_lowercase()).collect();
-    for name in before.iter().filter(|name| !now.contains(&name.to_lowercase())) {
-        // What is gone already need not be taken away.
-        let _ = std::fs::remove_file(folder.join(name));
+    let gone: Vec<String> = before.into_iter().filter(|name| !now.contains(&name.to_lowercase())).collect();
+    let path = folder.join(INDEX);
+    let list = |index: Value| {
+        let text = format!("{index:#}\n");
+        atomic::write(&path, text.as_bytes()).with_context(|| format!("{}: cannot be written", path.display()))
+    };
+    if !gone.is_empty() {
+        // Should this be stopped before all are taken away, the next one knows of them.
+        list(json!({"schema": 1, "objects": objects, SUPERSEDED: gone}))?;
+        for name in &gone {
+            // What is gone already need not be taken away.
+            let _ = std::fs::remove_file(folder.join(name));
+        }
     }
-    Ok(())
+    list(json!({"schema": 1, "objects": objects}))
 }
 
 /// The files that an earlier index lists, plain names only.
@@ -63,7 +72,8 @@ fn listed(folder: &Path) -> Vec<String> {
     let index = bounded::read(&folder.join(INDEX), MOST_BYTES).ok().flatten();
     let before: Value = index.and_then(|bytes| serde_json::from_slice(&bytes).ok()).unwrap_or_default();
     let names = before["objects"].as_array().into_iter().flatten().filter_map(|object| object["file"].as_str());
-    names.filter(|name| !name.contains(['/', '\\']) && *name != INDEX).map(str::to_owned).collect()
+    let superseded = before[SUPERSEDED].as_array().into_iter().flatten().filter_map(Value::as_str);
+    names.chain(superseded).filter(|name| !name.contains(['/', '\\']) && *name != INDEX).map(str::to_owned).collect()
 }
 
 /// A file's name without its extension; another one for every model.
