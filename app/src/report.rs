@@ -2,6 +2,7 @@
 
 pub mod heat;
 pub mod png;
+pub mod saved;
 pub mod svg;
 pub mod table;
 

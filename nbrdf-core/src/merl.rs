@@ -149,12 +149,6 @@ impl Merl {
         measured.then(|| Rgb([0, 1, 2].map(|channel| (stored[channel] * SCALES[channel]) as f32)))
     }
 
-    /// Share of the cells above the horizon that were measured.
-    pub fn measured_share(&self) -> f64 {
-        let above: Vec<usize> = (0..PLANE).filter(|&cell| middles()[cell].is_above()).collect();
-        above.iter().filter(|&&cell| self.cell(cell).is_some()).count() as f64 / above.len() as f64
-    }
-
     /// Ready to be looked up: cells that were not measured count only where nothing else is near.
     pub fn table(&self, lookup: Lookup) -> Table {
         Table::of_cells((0..PLANE).map(|cell| self.cell(cell)), lookup)

@@ -37,6 +37,12 @@ pub enum Warning {
         /// See [`reciprocity`](crate::metric::reciprocity).
         reciprocity: f64,
     },
+    /// Mirror pairs, whose half vector is at the normal and has no azimuth.
+    #[error("at mirror directions rounding decides between reflectances that are {ratio:.1} times apart")]
+    Undecided {
+        /// Largest over smallest.
+        ratio: f64,
+    },
     /// Below zero before it is clamped.
     #[error("reflectance is below zero at {:.0} % of the directions and clamped there", 100.0 * share)]
     Negative {
@@ -91,6 +97,7 @@ impl Warning {
             Self::EnergyClamped { .. } => "energy_clamped",
             Self::EnergyGained { .. } => "energy_gained",
             Self::NotReciprocal { .. } => "not_reciprocal",
+            Self::Undecided { .. } => "undecided",
             Self::Negative { .. } => "negative",
             Self::IllConditioned { .. } => "ill_conditioned",
             Self::FarFromTraining { .. } => "far_from_training",

@@ -19,6 +19,7 @@ use super::Global;
 use crate::catalog::Catalog;
 use crate::measure::point::METRICS;
 use crate::measure::quality::Bench;
+use crate::report::saved::SavedReport;
 use crate::{output, progress, report};
 use models::Models;
 use saved::MOST_RUNS;

@@ -45,7 +45,9 @@ impl Decode {
             .into());
         };
         let brdf = item.material.brdf.as_ref();
-        global.warn_of(name, guard::of_energy(albedo_max(brdf)).into_iter().chain(guard::of_reciprocity(brdf)))?;
+        let energy = guard::of_energy(albedo_max(brdf));
+        let told = energy.into_iter().chain(guard::of_reciprocity(brdf)).chain(guard::of_mirror(brdf));
+        global.warn_of(name, told)?;
         file::write(&self.output, network).with_context(|| format!("{}: cannot be written", self.output.display()))?;
         let summary = json!({
             "schema": 1, "material": item.material.name, "model": model, "hidden": network.hidden(),

@@ -59,10 +59,11 @@ impl Encode {
         if let Some(advice) = trust.advice(&item.material.name, can_refine) {
             global.warn(format_args!("{advice}"))?;
         }
-        let brightness = guard::of_brightness(item.material.brdf.as_ref());
+        let source = guard::of_source(item.material.brdf.as_ref());
         let distance = guard::of_distance(&code, &shelf.catalog.autoencoder())?;
         let energy = guard::of_energy(albedo_max(decoded.as_ref()));
-        let told = brightness.into_iter().chain(distance).chain(energy).chain(guard::of_reciprocity(decoded.as_ref()));
+        let (reciprocity, mirror) = (guard::of_reciprocity(decoded.as_ref()), guard::of_mirror(decoded.as_ref()));
+        let told = source.chain(distance).chain(energy).chain(reciprocity).chain(mirror);
         global.warn_of(&item.material.name, told)?;
         let code = Code {
             material: Some(item.material.name),

@@ -65,6 +65,9 @@ impl Fit {
         if let Measured::Somewhere(list) = &measured {
             global.warn_of(&measured::name_of(&self.source), guard::of_samples(list.len(), start.weights().len()))?;
         }
+        if let Measured::Everywhere(table) = &measured {
+            global.warn_of(&measured::name_of(&self.source), guard::of_source(table.as_ref()))?;
+        }
         let fits = 1 + u64::from(self.leave_out.unwrap_or(0));
         let bar = progress::bar(fits * u64::from(self.steps), "fitting", global.quiet);
         let cancelled = || {

@@ -52,8 +52,8 @@ impl Info {
         let znbrdf = shelf.catalog.representation("znbrdf", false)?;
         let known = Known::of(&item.material, znbrdf.as_ref(), &shelf.catalog.autoencoder())?;
         let own = guard::of_reflectance(item.material.brdf.as_ref());
-        let brightness = guard::of_brightness(item.material.brdf.as_ref());
-        let warnings: Vec<Warning> = own.into_iter().chain(brightness).chain(of_code(&item, &shelf)?).collect();
+        let source = guard::of_source(item.material.brdf.as_ref());
+        let warnings: Vec<Warning> = own.into_iter().chain(source).chain(of_code(&item, &shelf)?).collect();
         let live = item.material.network.as_ref().map(|network| (network.live(), Live::all(network.hidden())));
         let lobe = Lobe::fit(item.material.brdf.as_ref());
         let albedo: Vec<_> = ANGLES.map(|angle| (angle, albedo(&item.material, angle))).to_vec();

@@ -18,6 +18,7 @@ use super::Global;
 use crate::catalog::{Catalog, INTERPOLATIONS, REPRESENTATIONS};
 use crate::failure::Failure;
 use crate::measure::stress::{Extent, Setup, hazards};
+use crate::report::saved::SavedReport;
 use crate::{output, progress, report};
 
 pub use saved::Saved;

@@ -1,8 +1,13 @@
 //! What is to be said of a result: warnings of reflectances and codes, the same for command line, app and stress test.
 
+use std::any::Any;
+
 use autoencoder::Autoencoder;
+use nbrdf_core::brdf::table::Table;
 use nbrdf_core::metric::{albedo_max, directional_albedo, negative_share, reciprocity};
 use nbrdf_core::representation::DecodeError;
+use nbrdf_core::stress::BY_HALF;
+use nbrdf_core::stress::directions::at_the_normal;
 use nbrdf_core::{Brdf, Code, Material, Warning};
 
 use super::Trust;
@@ -34,18 +39,44 @@ pub fn of_reciprocity(brdf: &dyn Brdf) -> Option<Warning> {
     (reciprocity.is_nan() || reciprocity > UNEQUAL).then_some(Warning::NotReciprocal { reciprocity })
 }
 
+/// A reflectance that rounding decides where light and view mirror each other.
+pub fn of_mirror(brdf: &dyn Brdf) -> Option<Warning> {
+    let spread = at_the_normal(brdf);
+    (spread.is_nan() || spread > BY_HALF).then(|| Warning::Undecided { ratio: spread.exp() })
+}
+
 /// All that a reflectance says of itself.
 pub fn of_reflectance(brdf: &dyn Brdf) -> Vec<Warning> {
     let share = negative_share(brdf);
     let negative = (share > NEGATIVE).then_some(Warning::Negative { share });
-    of_energy(albedo_max(brdf)).into_iter().chain(of_reciprocity(brdf)).chain(negative).collect()
+    of_energy(albedo_max(brdf)).into_iter().chain(of_reciprocity(brdf)).chain(of_mirror(brdf)).chain(negative).collect()
 }
 
 /// Albedos at normal incidence of materials: obsidian, the darkest of MERL, has 0.005.
 const ALBEDOS: [f64; 2] = [0.004, 1.0];
 
+/// Share of the cells of a table from which on its gaps are bridged by what is beside them.
+const MEASURED: f64 = 0.8;
+
+/// All that a material says of itself before anything is made of it.
+pub fn of_source(brdf: &dyn Brdf) -> impl Iterator<Item = Warning> {
+    of_brightness(brdf).into_iter().chain(of_gaps(brdf))
+}
+
+/// A table of which much was not measured.
+fn of_gaps(brdf: &dyn Brdf) -> Option<Warning> {
+    let table = (brdf as &dyn Any).downcast_ref::<Table>()?;
+    let found = table.measured_share();
+    (found < MEASURED).then_some(Warning::OutOfRange {
+        what: "the share of the table that was measured",
+        found,
+        low: MEASURED,
+        high: 1.0,
+    })
+}
+
 /// A material darker or brighter than any that was learned from.
-pub fn of_brightness(brdf: &dyn Brdf) -> Option<Warning> {
+fn of_brightness(brdf: &dyn Brdf) -> Option<Warning> {
     let [low, high] = ALBEDOS;
     let found = f64::from(directional_albedo(brdf, 0.0).max());
     let is_usual = (low..=high).contains(&found);
@@ -61,8 +92,8 @@ pub fn of_encoded(
 ) -> Result<Vec<Warning>, DecodeError> {
     let carried = Trust::of(material, code, decoded, known)?.warning();
     let distance = of_distance(code, known)?;
-    let brightness = of_brightness(material.brdf.as_ref());
-    Ok(carried.into_iter().chain(distance).chain(brightness).chain(of_reflectance(decoded)).collect())
+    let source = of_source(material.brdf.as_ref());
+    Ok(carried.into_iter().chain(distance).chain(source).chain(of_reflectance(decoded)).collect())
 }
 
 /// Condition numbers up to which measurements tell the coefficients of measured materials; all cells of a table have 1500.
@@ -78,4 +109,31 @@ pub fn of_samples(samples: usize, numbers: usize) -> Option<Warning> {
     let low = numbers.div_ceil(3) as f64;
     let found = samples as f64;
     (found < low).then_some(Warning::OutOfRange { what: "the number of samples", found, low, high: f64::INFINITY })
+}
+
+#[cfg(test)]
+mod tests {
+    use nbrdf_core::Rgb;
+    use nbrdf_core::brdf::ggx::Ggx;
+    use nbrdf_core::library::builtin;
+    use nbrdf_core::stress::damage::DAMAGES;
+
+    use super::*;
+
+    #[test]
+    fn a_table_with_large_gaps_is_told_and_no_other() {
+        let glossy = Ggx { diffuse: Rgb([0.2, 0.15, 0.1]), f0: Rgb::splat(0.5), alpha: 0.1 };
+        for damage in &DAMAGES {
+            let told = of_gaps(&damage.measured(&glossy, 0));
+            assert_eq!(told.is_some(), damage.hazard.name == "missing", "{}: {told:?}", damage.hazard.name);
+        }
+        assert_eq!(of_gaps(&glossy), None);
+    }
+
+    #[test]
+    fn a_network_that_rounding_decides_in_the_mirror_is_told_and_a_formula_is_none() {
+        let network = builtin::shared().get("red-specular-plastic").unwrap().material().brdf;
+        assert!(matches!(of_mirror(network.as_ref()), Some(Warning::Undecided { ratio }) if ratio > 2.0));
+        assert_eq!(of_mirror(&Ggx { diffuse: Rgb::BLACK, f0: Rgb::splat(0.5), alpha: 0.1 }), None);
+    }
 }

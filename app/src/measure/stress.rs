@@ -8,6 +8,7 @@ mod lists;
 mod numbers;
 mod paths;
 mod picture;
+mod returned;
 mod setup;
 mod tally;
 

@@ -3,6 +3,7 @@
 use autoencoder::{Architecture, Autoencoder};
 use nbrdf::command::{chart, stress};
 use nbrdf::material::parse_code;
+use nbrdf::report::saved::SavedReport;
 use nbrdf_core::Representation;
 
 use super::assert_reflects;

@@ -100,6 +100,13 @@ impl Table {
         Self { lookup, ..self }
     }
 
+    /// Share of the cells above the horizon that were measured.
+    pub fn measured_share(&self) -> f64 {
+        let above = || (0..middles().len()).filter(|&cell| middles()[cell].is_above());
+        let measured = above().filter(|&cell| self.cells.get(cell)[3] > 0.5);
+        measured.count() as f64 / above().count() as f64
+    }
+
     /// Bytes of the table in memory.
     pub fn bytes(&self) -> usize {
         match &self.cells {
@@ -243,6 +250,17 @@ mod tests {
         for &at in rus32k().iter().step_by(7).filter(|at| at.rusinkiewicz().theta_half > 0.2) {
             assert!(table.eval(at).zip(grey, |a, b| (a - b).abs()).max() < 1e-5, "{at:?}");
         }
+    }
+
+    #[test]
+    fn what_lies_below_the_horizon_counts_as_neither_measured_nor_missing() {
+        let every = |n: usize| {
+            let measured =
+                |(index, at): (usize, &Directions)| (at.is_above() && index % n == 0).then_some(Rgb::splat(0.1));
+            Table::of_cells(middles().iter().enumerate().map(measured), Lookup::Nearest).measured_share()
+        };
+        assert_eq!(every(1), 1.0);
+        assert!((every(4) - 0.25).abs() < 1e-3, "{}", every(4));
     }
 
     #[test]

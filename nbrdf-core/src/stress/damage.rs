@@ -69,7 +69,7 @@ pub const DAMAGES: [Damage; 6] = [
 ];
 
 /// Factors of a reader that takes the scale of red for all channels.
-const RED_FOR_ALL: Rgb = Rgb([1.0, 1.0 / 1.15, 1.0 / 1.66]);
+pub const RED_FOR_ALL: Rgb = Rgb([1.0, 1.0 / 1.15, 1.0 / 1.66]);
 
 const fn hazard(name: &'static str, title: &'static str) -> Hazard {
     Hazard { name, group: Group::Data, title, measure: ADDED, holds: LITTLE, fails: MUCH }

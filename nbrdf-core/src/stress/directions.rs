@@ -140,8 +140,9 @@ fn beside_the_normal(model: &dyn Brdf) -> f64 {
     places.map(|(diff, around)| spread(diff, around)).fold(0.0, f64::max)
 }
 
-/// How much the same mirror pairs differ when they are moved by as much as rounding does.
-fn at_the_normal(model: &dyn Brdf) -> f64 {
+/// How much the same mirror pairs differ when they are moved by as much as rounding does: largest |ln f − ln g|. Their half
+/// vector is at the normal, where it has no azimuth; no isotropic material depends on it, networks and tables do.
+pub fn at_the_normal(model: &dyn Brdf) -> f64 {
     const MOVED: f32 = 1e-6;
     let spread = |degrees: u8| {
         let (theta, moved) = (f32::from(degrees).to_radians(), |[x, y, z]: [f32; 3]| Vec3::new(x, y, z) - 0.5);

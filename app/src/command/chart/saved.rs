@@ -1,8 +1,5 @@
 //! The report behind a chart: printed by `--json`, drawn again by `--from`.
 
-use std::fmt::Display;
-use std::path::Path;
-
 use anyhow::Result;
 use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};
@@ -11,9 +8,7 @@ use super::stability::Stability;
 use crate::failure::Failure;
 use crate::measure::front::{TIE, front, front_of_run};
 use crate::measure::point::Point;
-
-/// Largest report that is read \[bytes\].
-const MAX_BYTES: u64 = 16 << 20;
+use crate::report::saved::SavedReport;
 
 /// Most runs.
 pub const MOST_RUNS: usize = 25;
@@ -39,36 +34,31 @@ pub struct Saved {
     pub points: Vec<Point>,
 }
 
-impl Saved {
-    /// Reads a report.
-    pub fn load(path: &Path) -> Result<Self> {
-        let name = path.display().to_string();
-        let bytes = nbrdf_core::bounded::read(path, MAX_BYTES).map_err(|error| invalid(&name, &error))?;
-        let bytes = bytes.ok_or_else(|| invalid(&name, &format_args!("more than {MAX_BYTES} bytes")))?;
-        Self::parse(&name, &bytes)
+impl SavedReport for Saved {
+    const COMMAND: &'static str = "chart";
+    const MAX_BYTES: u64 = 16 << 20;
+
+    fn schema(&self) -> u32 {
+        self.schema
     }
 
-    /// The report in bytes that came from `path`.
-    pub fn parse(path: &str, bytes: &[u8]) -> Result<Self> {
-        let invalid = |found: &dyn Display| invalid(path, found);
-        let saved: Self = serde_json::from_slice(bytes).map_err(|error| invalid(&error))?;
-        if saved.schema != 1 {
-            return Err(invalid(&format_args!("schema {}", saved.schema)).into());
+    fn check(&self) -> Result<(), String> {
+        if self.points.is_empty() || self.points.len() > MOST_POINTS {
+            return Err(format!("{} points, of 1 to {MOST_POINTS}", self.points.len()));
         }
-        if saved.points.is_empty() || saved.points.len() > MOST_POINTS {
-            return Err(invalid(&format_args!("{} points, of 1 to {MOST_POINTS}", saved.points.len())).into());
+        if !(1..=MOST_RUNS).contains(&self.runs) {
+            return Err(format!("{} runs, of 1 to {MOST_RUNS}", self.runs));
         }
-        if !(1..=MOST_RUNS).contains(&saved.runs) {
-            return Err(invalid(&format_args!("{} runs, of 1 to {MOST_RUNS}", saved.runs)).into());
-        }
-        let is_of_all_runs = |own: usize| own == saved.runs || (own == 0 && saved.runs == 1);
+        let is_of_all_runs = |own: usize| own == self.runs || (own == 0 && self.runs == 1);
         let is_sound = |point: &Point| point.is_sound() && is_of_all_runs(point.by_run.len());
-        match saved.points.iter().find(|point| !is_sound(point)) {
-            Some(point) => Err(invalid(&format_args!("a point {:?} that nobody measures", point.name)).into()),
-            None => Ok(saved),
+        match self.points.iter().find(|point| !is_sound(point)) {
+            Some(point) => Err(format!("a point {:?} that nobody measures", point.name)),
+            None => Ok(()),
         }
     }
+}
 
+impl Saved {
     /// Refuses a metric that was not measured.
     pub fn check_metric(&self, metric: &str) -> Result<()> {
         if self.points.iter().any(|point| point.error.contains_key(metric)) {
@@ -117,10 +107,6 @@ impl Saved {
         value["stable"] = stability.is_stable().into();
         value
     }
-}
-
-fn invalid(path: &str, found: &dyn Display) -> Failure {
-    Failure::InvalidFile(format!("{path}: expected a report of `nbrdf chart --json`, found {found}: make it again"))
 }
 
 const fn one() -> usize {

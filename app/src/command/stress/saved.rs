@@ -1,6 +1,5 @@
 //! The report: printed by `--json`, drawn again by `--from`, kept beside the page while it is not finished.
 
-use std::fmt::Display;
 use std::path::Path;
 
 use anyhow::Result;
@@ -10,9 +9,7 @@ use serde_json::{Value, json};
 
 use crate::failure::Failure;
 use crate::measure::stress::{Cell, Extent, Setup, hazards};
-
-/// Largest report that is read \[bytes\]: with its pictures it has some 15 million.
-const MAX_BYTES: u64 = 256 << 20;
+use crate::report::saved::SavedReport;
 
 /// Most cells that are drawn.
 const MOST_CELLS: usize = 3000;
@@ -42,6 +39,31 @@ pub struct Saved {
     pub cells: Vec<Cell>,
 }
 
+impl SavedReport for Saved {
+    const COMMAND: &'static str = "stress";
+    /// With its pictures it has some 15 million.
+    const MAX_BYTES: u64 = 256 << 20;
+
+    fn schema(&self) -> u32 {
+        self.schema
+    }
+
+    fn check(&self) -> Result<(), String> {
+        if self.cells.len() > MOST_CELLS {
+            return Err(format!("{} cells, of {MOST_CELLS} at most", self.cells.len()));
+        }
+        let known = hazards();
+        for cell in &self.cells {
+            let hazard = known.iter().find(|hazard| hazard.name == cell.hazard && hazard.group == cell.group);
+            let hazard = hazard.ok_or_else(|| format!("the hazard {:?}, which is not known here", cell.hazard))?;
+            if !cell.is_sound(hazard) {
+                return Err(format!("a cell of {:?} whose verdict nobody gives here", cell.hazard));
+            }
+        }
+        Ok(())
+    }
+}
+
 impl Saved {
     /// Before anything is measured.
     ///
@@ -60,37 +82,6 @@ impl Saved {
             groups: Vec::new(),
             cells: Vec::new(),
         })
-    }
-
-    /// Reads a report.
-    pub fn load(path: &Path) -> Result<Self> {
-        let name = path.display().to_string();
-        let bytes = nbrdf_core::bounded::read(path, MAX_BYTES).map_err(|error| invalid(&name, &error))?;
-        let bytes = bytes.ok_or_else(|| invalid(&name, &format_args!("more than {MAX_BYTES} bytes")))?;
-        Self::parse(&name, &bytes)
-    }
-
-    /// The report in bytes that came from `path`.
-    pub fn parse(path: &str, bytes: &[u8]) -> Result<Self> {
-        let invalid = |found: &dyn Display| invalid(path, found);
-        let saved: Self = serde_json::from_slice(bytes).map_err(|error| invalid(&error))?;
-        if saved.schema != 1 {
-            return Err(invalid(&format_args!("schema {}", saved.schema)).into());
-        }
-        if saved.cells.len() > MOST_CELLS {
-            return Err(invalid(&format_args!("{} cells, of {MOST_CELLS} at most", saved.cells.len())).into());
-        }
-        let known = hazards();
-        for cell in &saved.cells {
-            let hazard = known.iter().find(|hazard| hazard.name == cell.hazard && hazard.group == cell.group);
-            let hazard = hazard
-                .ok_or_else(|| invalid(&format_args!("the hazard {:?}, which is not known here", cell.hazard)))?;
-            if !cell.is_sound(hazard) {
-                let found = format!("a cell of {:?} whose verdict nobody gives here", cell.hazard);
-                return Err(invalid(&found).into());
-            }
-        }
-        Ok(saved)
     }
 
     /// Goes on from another one, which must be of the same work.
@@ -150,8 +141,4 @@ impl Saved {
             .collect();
         value
     }
-}
-
-fn invalid(path: &str, found: &dyn Display) -> Failure {
-    Failure::InvalidFile(format!("{path}: expected a report of `nbrdf stress --json`, found {found}: make it again"))
 }

@@ -15,6 +15,7 @@ use rayon::prelude::*;
 
 use super::lists;
 use super::picture::View;
+use super::returned::Returned;
 use super::tally::{Look, Tally, worse_by};
 use super::{Cell, Setup};
 use crate::measure::guard;
@@ -82,8 +83,7 @@ fn clean(representation: &dyn Representation, material: &Material) -> Measured {
     let fit = || -> Result<Clean, String> {
         let table = Table::tabulate(material.brdf.as_ref(), Lookup::Trilinear);
         let measured = Material::new(&material.name, Arc::new(table));
-        let code = representation.encode(&measured).map_err(|error| error.to_string())?;
-        let fitted: Fitted = Arc::from(representation.decode(&code).map_err(|error| error.to_string())?);
+        let fitted = Returned::by(representation, &measured)?.brdf;
         let error = LogError.distance(material.brdf.as_ref(), fitted.as_ref());
         Ok(Clean { material: material.clone(), fitted, error })
     };
@@ -94,8 +94,9 @@ fn clean(representation: &dyn Representation, material: &Material) -> Measured {
 fn of_table(setup: &Setup, representation: &dyn Representation, damage: &Damage, own: &Clean) -> Bad {
     let table: Fitted = Arc::new(damage.measured(own.material.brdf.as_ref(), setup.seed));
     let measured = Material::new(&own.material.name, table);
-    let code = representation.encode(&measured).map_err(|error| error.to_string())?;
-    let fitted: Fitted = Arc::from(representation.decode(&code).map_err(|error| error.to_string())?);
+    let returned = Returned::by(representation, &measured)?;
+    let warnings = returned.warnings(&measured, &setup.known())?;
+    let fitted = returned.brdf;
     let (value, wanted): (f64, Fitted) = match damage.scale {
         Some(scale) => {
             let wanted = Scaled { inner: Arc::clone(&own.fitted), scale };
@@ -103,8 +104,7 @@ fn of_table(setup: &Setup, representation: &dyn Representation, damage: &Damage,
         }
         None => (added(own, fitted.as_ref()), Arc::clone(&own.fitted)),
     };
-    let warnings = guard::of_encoded(&measured, &code, fitted.as_ref(), &setup.known());
-    Ok((value, [wanted, fitted], warnings.map_err(|error| error.to_string())?))
+    Ok((value, [wanted, fitted], warnings))
 }
 
 /// How much further from the truth than with clean measurements.

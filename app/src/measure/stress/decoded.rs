@@ -7,10 +7,11 @@ use nbrdf_core::metric::{albedo_max, negative_share, reciprocity};
 use nbrdf_core::quality::Qualities;
 use nbrdf_core::stress::directions::EXPOSURES;
 use nbrdf_core::stress::{Group, Hazard};
-use nbrdf_core::{Brdf, Material, Representation, Warning};
+use nbrdf_core::{Brdf, Material, Warning};
 use rayon::prelude::*;
 
 use super::picture::View;
+use super::returned::Returned;
 use super::tally::{Look, Tally};
 use super::{Cell, Setup};
 use crate::measure::guard;
@@ -110,10 +111,9 @@ pub(super) fn cells(setup: &Setup, group: Group, done: &(dyn Fn(&str) -> Result<
         done(entry.name)?;
         let representation = entry.build(setup.catalog)?;
         let again = |material: &Material| {
-            let code = representation.encode(material).map_err(|error| error.to_string())?;
-            let model: Arc<dyn Brdf> = Arc::from(representation.decode(&code).map_err(|error| error.to_string())?);
-            let warnings = guard::of_encoded(material, &code, model.as_ref(), &known);
-            Ok((model, warnings.map_err(|error| error.to_string())?))
+            let returned = Returned::by(representation.as_ref(), material)?;
+            let warnings = returned.warnings(material, &known)?;
+            Ok((returned.brdf, warnings))
         };
         cells.extend(of_method((entry.name, entry.shown_variant()), &asked, (&materials, &glossy), &again));
     }

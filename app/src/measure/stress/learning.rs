@@ -11,13 +11,13 @@ use std::sync::Arc;
 use anyhow::Result;
 use nbrdf_core::metric::{LogError, Metric};
 use nbrdf_core::stress::{Group, Hazard, Verdict};
-use nbrdf_core::{Brdf, Database, Material, Representation, Split, Warning};
+use nbrdf_core::{Database, Material, Representation, Split, Warning};
 use rayon::prelude::*;
 
 use super::picture::View;
+use super::returned::Returned;
 use super::tally::{Look, Tally, worse_by};
 use super::{Cell, Setup};
-use crate::measure::guard;
 use student::{STUDENTS, Student};
 use syllabus::{SYLLABI, Syllabus};
 
@@ -108,8 +108,8 @@ struct Lesson<'a> {
 impl Lesson<'_> {
     fn examined(&self, representation: Arc<dyn Representation>) -> Taught {
         let error = |material: &Material| {
-            let error = again(representation.as_ref(), material);
-            let error = error.map(|found| LogError.distance(material.brdf.as_ref(), found.as_ref()));
+            let returned = Returned::by(representation.as_ref(), material);
+            let error = returned.map(|found| LogError.distance(material.brdf.as_ref(), found.brdf.as_ref()));
             (material.name.clone(), error)
         };
         let errors = self.held_out.par_iter().map(error).collect();
@@ -182,21 +182,13 @@ impl Lesson<'_> {
         let own = (material.name.clone(), Arc::clone(&material.brdf));
         let mut panels = vec![own];
         let mut warnings = Vec::new();
-        if let Ok(code) = taught.representation.encode(material)
-            && let Ok(found) = taught.representation.decode(&code)
-        {
+        if let Ok(returned) = Returned::by(taught.representation.as_ref(), material) {
             // Told by those who will use it: what the trained checkpoint itself knows is another mark.
-            warnings = guard::of_encoded(material, &code, found.as_ref(), &self.setup.known()).unwrap_or_default();
-            panels.push(("decoded".to_owned(), Arc::from(found)));
+            warnings = returned.warnings(material, &self.setup.known()).unwrap_or_default();
+            panels.push(("decoded".to_owned(), returned.brdf));
         }
         (Look { panels, view: View::Studio }, warnings)
     }
-}
-
-/// Encoded and decoded.
-fn again(representation: &dyn Representation, material: &Material) -> Result<Box<dyn Brdf>, String> {
-    let code = representation.encode(material).map_err(|error| error.to_string())?;
-    representation.decode(&code).map_err(|error| error.to_string())
 }
 
 fn error(taught: &Taught, name: &str) -> Option<f64> {

@@ -7,12 +7,13 @@ use nbrdf_core::metric::{LogError, Metric, RelativeLog};
 use nbrdf_core::nbrdf::PUBLISHED_WEIGHTS;
 use nbrdf_core::stress::Hazard;
 use nbrdf_core::stress::numbers::{
-    BRIGHTNESS, CONSTANT, DENORMAL, FAR, FAR_CODES, RETOLD, Scaled, constants, unsound_share,
+    BRIGHTNESS, CONSTANT, DENORMAL, FAR, FAR_CODES, RETOLD, Retold, Scaled, constants, unsound_share,
 };
 use nbrdf_core::{Brdf, Code, Material, Nbrdf, Representation, Rgb, Warning};
 use rayon::prelude::*;
 
 use super::picture::View;
+use super::returned::Returned;
 use super::tally::{Look, Tally, worse_by};
 use super::{Cell, Setup};
 use crate::catalog::RepresentationEntry;
@@ -67,34 +68,36 @@ impl Tried<'_> {
 
     /// Encoded and decoded, with what is said of it.
     fn again(&self, material: &Material) -> Result<(Arc<dyn Brdf>, Vec<Warning>), String> {
-        let text = |error: &dyn std::fmt::Display| error.to_string();
-        let code = self.representation.encode(material).map_err(|error| text(&error))?;
-        let decoded = self.representation.decode(&code).map_err(|error| text(&error))?;
-        let known = self.setup.known();
-        let warnings = guard::of_encoded(material, &code, decoded.as_ref(), &known).map_err(|error| text(&error))?;
-        Ok((Arc::from(decoded), warnings))
+        let returned = Returned::by(self.representation, material)?;
+        let warnings = returned.warnings(material, &self.setup.known())?;
+        Ok((returned.brdf, warnings))
     }
 
     /// The same materials told by other weights: how much worse these are encoded than the usual ones.
     fn retold(&self) -> Vec<Cell> {
-        let error = |material: &Material| {
-            let (found, warnings) = self.again(material)?;
-            Ok((LogError.distance(material.brdf.as_ref(), found.as_ref()), found, warnings))
+        let asked: Vec<&Retold> = RETOLD.iter().filter(|retold| self.setup.wants(&retold.hazard)).collect();
+        if asked.is_empty() {
+            return Vec::new();
+        }
+        let error = |material: &Material, found: &dyn Brdf| LogError.distance(material.brdf.as_ref(), found);
+        let usual = |material: &Material| {
+            let returned = Returned::by(self.representation, material)?;
+            Ok(error(material, returned.brdf.as_ref()))
         };
-        let cell = |(hazard, network): (&Hazard, fn(&Nbrdf, u64) -> Nbrdf)| {
-            let one = |material: &Material| {
+        let usual: Vec<Result<f64, String>> = self.materials.par_iter().map(usual).collect();
+        let cell = |retold: &Retold| {
+            let one = |(material, usual): (&Material, &Result<f64, String>)| {
                 let own = material.network.as_ref()?;
-                let other = Material::from_network(&material.name, network(own, self.setup.seed));
-                let result = error(material).and_then(|(usual, ..)| {
-                    let (value, found, warnings) = error(&other)?;
-                    Ok((worse_by(value - usual), found, warnings))
+                let other = Material::from_network(&material.name, (retold.network)(own, self.setup.seed));
+                let result = usual.clone().and_then(|usual| {
+                    let (found, warnings) = self.again(&other)?;
+                    Ok((worse_by(error(&other, found.as_ref()) - usual), found, warnings))
                 });
                 Some(Outcome { name: material.name.clone(), wanted: other.brdf, result })
             };
-            self.cell(hazard, self.materials.par_iter().filter_map(one).collect())
+            self.cell(&retold.hazard, self.materials.par_iter().zip(&usual).filter_map(one).collect())
         };
-        let asked = RETOLD.iter().filter(|retold| self.setup.wants(&retold.hazard));
-        asked.filter_map(|retold| cell((&retold.hazard, retold.network))).collect()
+        asked.into_iter().filter_map(cell).collect()
     }
 
     /// Materials of other brightness: against themselves, brightness undone.

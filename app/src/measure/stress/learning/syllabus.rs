@@ -2,8 +2,9 @@
 
 use std::sync::Arc;
 
+use nbrdf_core::Material;
+use nbrdf_core::stress::damage::RED_FOR_ALL;
 use nbrdf_core::stress::numbers::Scaled;
-use nbrdf_core::{Material, Rgb};
 
 /// Less than all, or something wrong.
 pub(super) struct Syllabus {
@@ -42,7 +43,7 @@ impl Syllabus {
 
 /// As read by who takes the scale of red for all channels.
 fn wrong(material: &Material) -> Material {
-    let (inner, scale) = (Arc::clone(&material.brdf), Rgb([1.0, 1.0 / 1.15, 1.0 / 1.66]));
+    let (inner, scale) = (Arc::clone(&material.brdf), RED_FOR_ALL);
     Material::new(&material.name, Arc::new(Scaled { inner, scale }))
 }
 
