@@ -1,23 +1,26 @@
 //! `nbrdf blend`: spheres along the path between materials, one row per method.
 
+mod painter;
 mod samples;
+mod walk;
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use anyhow::{Result, anyhow};
 use clap::Args;
+use nbrdf_core::Material;
 use nbrdf_core::metric::albedo_max;
-use nbrdf_core::render::Sphere;
-use nbrdf_core::{Brdf, Image, Material, Warning};
 use serde_json::{Value, json};
 
 use super::Global;
 use super::render::{LightName, stops};
 use crate::catalog::{Catalog, INTERPOLATIONS, InterpolationEntry};
 use crate::material::{Shelf, Sources};
-use crate::strip::{Cell, Row, Strip, ground};
+use crate::strip::{Row, Strip};
 use crate::{output, progress, report};
+use painter::{Painter, is_exr};
 use samples::{Sample, samples};
+use walk::{Walk, Walked};
 
 /// Walks between materials and draws the walk, one row per method.
 #[derive(Debug, Args)]
@@ -51,29 +54,6 @@ pub struct Blend {
     sources: Sources,
 }
 
-/// What became of one method.
-struct Walk {
-    entry: &'static InterpolationEntry,
-    result: Result<Walked>,
-}
-
-impl Walk {
-    fn is_clamped(&self) -> bool {
-        let said = self.result.iter().flat_map(|walked| walked.warnings.iter().flatten());
-        said.into_iter().any(|warning| matches!(warning, Warning::EnergyClamped { .. }))
-    }
-}
-
-/// The points of a walk.
-struct Walked {
-    spheres: Vec<Image>,
-    albedo: f64,
-    /// What the path says of every point.
-    warnings: Vec<Vec<Warning>>,
-    /// Distance of every point's code to known materials; none where the path walks through no codes of ZNBRDF.
-    distances: Option<Vec<f64>>,
-}
-
 impl Blend {
     /// Runs the command.
     pub fn run(&self, global: &Global) -> Result<()> {
@@ -91,7 +71,7 @@ impl Blend {
         }
         let mut walks = self.walk(&methods, &shelf.catalog, &ends, &samples, global);
         shelf.catalog.check_used()?;
-        warn_of_methods(&walks, limit, global)?;
+        walk::warn(&walks, &ends, global)?;
         if walks.iter().all(|walk| walk.result.is_err()) {
             let first = walks.swap_remove(0).result.err();
             return Err(first.unwrap_or_else(|| anyhow!("no method")));
@@ -126,12 +106,7 @@ impl Blend {
         let bar = progress::bar(methods.len() as u64, "walking", global.quiet);
         let walks = methods.iter().map(|&entry| {
             bar.set_message(entry.name);
-            let result = points(entry, catalog, ends, samples).map(|Points { points, warnings, distances }| Walked {
-                albedo: points.iter().map(|brdf| albedo_max(brdf.as_ref())).fold(0.0, f64::max),
-                spheres: points.iter().map(|brdf| painter.draw(brdf.as_ref())).collect(),
-                warnings,
-                distances,
-            });
+            let result = Walked::new(entry, catalog, ends, samples, &painter);
             bar.inc(1);
             Walk { entry, result }
         });
@@ -162,7 +137,7 @@ impl Blend {
         let method = |walk: &Walk| match &walk.result {
             Ok(walked) => {
                 json!({
-                    "name": walk.entry.name, "albedo_max": walked.albedo, "distances": walked.distances,
+                    "name": walk.entry.name, "albedo_max": walked.albedo, "reciprocity": walked.reciprocity, "distances": walked.distances,
                     "warnings": walked.warnings,
                 })
             }
@@ -176,78 +151,5 @@ impl Blend {
             "methods": walks.iter().map(method).collect::<Vec<_>>(),
             "output": self.output.display().to_string(),
         })
-    }
-}
-
-/// For looking at, or for computing with.
-enum Painter {
-    Cell(Cell, f32),
-    Exact(Sphere, f32),
-}
-
-impl Painter {
-    fn new(blend: &Blend) -> Self {
-        let (size, light, gain) = (usize::from(blend.size), blend.light.light(), blend.exposure.exp2());
-        match is_exr(&blend.output) {
-            true => Self::Exact(Sphere::new(size, &light), gain),
-            false => Self::Cell(Cell::new(size, &light), gain),
-        }
-    }
-
-    fn draw(&self, brdf: &dyn Brdf) -> Image {
-        match self {
-            Self::Cell(cell, gain) => cell.draw(brdf, *gain, ground()),
-            Self::Exact(sphere, gain) => sphere.render(brdf).map(|pixel| pixel * *gain),
-        }
-    }
-}
-
-fn is_exr(path: &Path) -> bool {
-    path.extension().is_some_and(|extension| extension == "exr")
-}
-
-/// What a walk passes, what it says of each point, and how far each code is from known ones.
-struct Points {
-    points: Vec<Box<dyn Brdf>>,
-    warnings: Vec<Vec<Warning>>,
-    distances: Option<Vec<f64>>,
-}
-
-fn points(entry: &InterpolationEntry, catalog: &Catalog, ends: &[Material], samples: &[Sample]) -> Result<Points> {
-    let path = entry.build(catalog)?.between(ends)?;
-    let known = catalog.autoencoder();
-    let distance = |sample: &Sample| match path.code(&sample.weights)? {
-        Some(code) => Ok(known.distance(&code)?),
-        None => Ok(None),
-    };
-    Ok(Points {
-        points: samples.iter().map(|sample| Ok(path.at(&sample.weights)?)).collect::<Result<_>>()?,
-        warnings: samples.iter().map(|sample| Ok(path.warnings(&sample.weights)?)).collect::<Result<_>>()?,
-        distances: samples.iter().map(distance).collect::<Result<_>>()?,
-    })
-}
-
-/// Failures one by one; energy in one line, and only where the method is worse than the materials themselves.
-fn warn_of_methods(walks: &[Walk], limit: f64, global: &Global) -> Result<()> {
-    let mut bright = Vec::new();
-    let clamped: Vec<&str> = walks.iter().filter(|walk| walk.is_clamped()).map(|walk| walk.entry.name).collect();
-    if !clamped.is_empty() {
-        global.warn(format_args!(
-            "energy clamped: {} stop where more light would leave than arrives",
-            clamped.join(", ")
-        ))?;
-    }
-    for walk in walks {
-        match &walk.result {
-            Err(error) => global.warn(format_args!("{}: {error:#}", walk.entry.name))?,
-            Ok(Walked { albedo, .. }) if *albedo > limit + 1e-3 => {
-                bright.push(format!("{} ({albedo:.2})", walk.entry.name));
-            }
-            Ok(_) => {}
-        }
-    }
-    match bright.is_empty() {
-        true => Ok(()),
-        false => global.warn(format_args!("more light leaves than arrives, by albedo_max: {}", bright.join(", "))),
     }
 }

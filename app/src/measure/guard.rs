@@ -28,9 +28,9 @@ pub fn of_distance(code: &Code, known: &Autoencoder) -> Result<Option<Warning>, 
     Ok(distance.filter(|d| d.is_nan() || *d > FARTHEST).map(|distance| Warning::FarFromTraining { distance }))
 }
 
-/// How different reflectances may be with light and view exchanged, and on which share of directions they may be below zero
-/// before they are clamped.
-const UNEQUAL: f64 = 0.2;
+/// How different reflectances may be with light and view exchanged.
+pub const UNEQUAL: f64 = 0.2;
+/// On which share of the directions they may be below zero before they are clamped.
 const NEGATIVE: f64 = 0.05;
 
 /// A reflectance that differs with light and view exchanged.
