@@ -60,7 +60,7 @@ def sentences(report: dict) -> str:
         picture = ROOT / f"docs/images/stress/{hazard['name']}.png"
         failing = any(cell["verdict"] == "fails" for cell in cells)
         lines.append([f"![{hazard['name']}](images/stress/{picture.name})" if failing and picture.exists() else "", sentence(hazard, cells)])
-    return table(["worst example", "finding"], lines)
+    return table(["worst example", "finding"], lines, "---")
 
 
 def thresholds(report: dict) -> str:

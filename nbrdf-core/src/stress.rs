@@ -8,4 +8,4 @@ pub mod hazard;
 pub mod numbers;
 pub mod samples;
 
-pub use hazard::{BY_HALF, Group, Hazard, Verdict};
+pub use hazard::{Group, Hazard, Verdict};

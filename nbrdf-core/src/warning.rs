@@ -40,7 +40,7 @@ pub enum Warning {
     /// Mirror pairs, whose half vector is at the normal and has no azimuth.
     #[error("at mirror directions rounding decides between reflectances that are {ratio:.1} times apart")]
     Undecided {
-        /// Largest over smallest.
+        /// Largest over smallest of f + 0.001.
         ratio: f64,
     },
     /// Below zero before it is clamped.

@@ -11,6 +11,7 @@ fn a_blend_of_many_materials_follows_a_spline_and_tells_distances() {
     assert_eq!(report["weights"].as_array().unwrap().len(), 5);
     assert_eq!(report["methods"][0]["distances"].as_array().unwrap().len(), 5);
     assert!(report["methods"][1]["distances"].is_null());
+    assert!(report["methods"].as_array().unwrap().iter().all(|walk| walk["reciprocity"].as_f64().unwrap() < 0.2));
 }
 
 #[test]

@@ -9,13 +9,14 @@ use std::path::PathBuf;
 use anyhow::{Result, anyhow};
 use clap::Args;
 use nbrdf_core::Material;
-use nbrdf_core::metric::albedo_max;
+use nbrdf_core::metric::{albedo_max, reciprocity};
 use serde_json::{Value, json};
 
 use super::Global;
 use super::render::{LightName, stops};
 use crate::catalog::{Catalog, INTERPOLATIONS, InterpolationEntry};
 use crate::material::{Shelf, Sources};
+use crate::measure::guard;
 use crate::strip::{Row, Strip};
 use crate::{output, progress, report};
 use painter::{Painter, is_exr};
@@ -65,13 +66,10 @@ impl Blend {
         if let Some((beyond, warning)) = samples.iter().find_map(|sample| Some((sample, sample.warning.clone()?))) {
             global.warn_of(&beyond.label, [warning])?;
         }
-        let limit = ends.iter().map(|end| albedo_max(end.brdf.as_ref())).fold(1.0, f64::max);
-        if limit > 1.0 {
-            global.warn(format_args!("albedo_max of the materials is {limit:.3}: more light leaves than arrives"))?;
-        }
+        let limits = self.limits(&ends, global)?;
         let mut walks = self.walk(&methods, &shelf.catalog, &ends, &samples, global);
         shelf.catalog.check_used()?;
-        walk::warn(&walks, &ends, global)?;
+        walk::warn(&walks, limits, global)?;
         if walks.iter().all(|walk| walk.result.is_err()) {
             let first = walks.swap_remove(0).result.err();
             return Err(first.unwrap_or_else(|| anyhow!("no method")));
@@ -81,6 +79,17 @@ impl Blend {
             let drawn = walks.iter().filter(|walk| walk.result.is_ok()).count();
             format!("{drawn} methods, {} spheres each in {}\n", samples.len(), self.output.display())
         })
+    }
+
+    /// Albedo and reciprocity that walks may have: what is usual, or what the materials have themselves, which is told.
+    fn limits(&self, ends: &[Material], global: &Global) -> Result<[f64; 2]> {
+        let mut limits = [1.0, guard::UNEQUAL];
+        for Material { name, brdf, .. } in ends {
+            global.warn_of(name, guard::of_source(brdf.as_ref()).chain(guard::of_result(brdf.as_ref())))?;
+            let own = [albedo_max(brdf.as_ref()), reciprocity(brdf.as_ref())];
+            limits = [0, 1].map(|figure| f64::max(limits[figure], own[figure]));
+        }
+        Ok(limits)
     }
 
     fn methods(&self) -> Result<Vec<&'static InterpolationEntry>> {
@@ -137,7 +146,8 @@ impl Blend {
         let method = |walk: &Walk| match &walk.result {
             Ok(walked) => {
                 json!({
-                    "name": walk.entry.name, "albedo_max": walked.albedo, "reciprocity": walked.reciprocity, "distances": walked.distances,
+                    "name": walk.entry.name, "albedo_max": walked.albedo, "reciprocity": walked.reciprocity,
+                    "distances": walked.distances,
                     "warnings": walked.warnings,
                 })
             }

@@ -4,7 +4,6 @@ use std::path::PathBuf;
 
 use anyhow::{Context, Result};
 use clap::Args;
-use nbrdf_core::metric::albedo_max;
 use nbrdf_core::nbrdf::file;
 use serde_json::json;
 
@@ -45,9 +44,7 @@ impl Decode {
             .into());
         };
         let brdf = item.material.brdf.as_ref();
-        let energy = guard::of_energy(albedo_max(brdf));
-        let told = energy.into_iter().chain(guard::of_reciprocity(brdf)).chain(guard::of_mirror(brdf));
-        global.warn_of(name, told)?;
+        global.warn_of(name, guard::of_result(brdf))?;
         file::write(&self.output, network).with_context(|| format!("{}: cannot be written", self.output.display()))?;
         let summary = json!({
             "schema": 1, "material": item.material.name, "model": model, "hidden": network.hidden(),

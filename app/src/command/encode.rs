@@ -4,7 +4,6 @@ use std::path::PathBuf;
 
 use anyhow::{Context, Result};
 use clap::Args;
-use nbrdf_core::metric::albedo_max;
 use nbrdf_core::{Code, atomic};
 
 use super::Global;
@@ -61,9 +60,7 @@ impl Encode {
         }
         let source = guard::of_source(item.material.brdf.as_ref());
         let distance = guard::of_distance(&code, &shelf.catalog.autoencoder())?;
-        let energy = guard::of_energy(albedo_max(decoded.as_ref()));
-        let (reciprocity, mirror) = (guard::of_reciprocity(decoded.as_ref()), guard::of_mirror(decoded.as_ref()));
-        let told = source.chain(distance).chain(energy).chain(reciprocity).chain(mirror);
+        let told = source.chain(distance).chain(guard::of_result(decoded.as_ref()));
         global.warn_of(&item.material.name, told)?;
         let code = Code {
             material: Some(item.material.name),

@@ -7,12 +7,12 @@ use std::path::PathBuf;
 
 use anyhow::Result;
 use clap::Args;
-use nbrdf_core::Nbrdf;
 use nbrdf_core::library::builtin;
 use nbrdf_core::measured::{self, Measured};
 use nbrdf_core::nbrdf::MAX_HIDDEN;
 use nbrdf_core::nbrdf::fit::{FitOptions, random_hidden};
 use nbrdf_core::sample_list::SampleList;
+use nbrdf_core::{Nbrdf, Warning};
 use serde_json::{Value, json};
 
 use super::Global;
@@ -62,12 +62,11 @@ impl Fit {
         self.check(&measured)?;
         let start = self.start(global.seed());
         let options = FitOptions { steps: self.steps as usize, ..FitOptions::shared_start(global.seed()) };
-        if let Measured::Somewhere(list) = &measured {
-            global.warn_of(&measured::name_of(&self.source), guard::of_samples(list.len(), start.weights().len()))?;
-        }
-        if let Measured::Everywhere(table) = &measured {
-            global.warn_of(&measured::name_of(&self.source), guard::of_source(table.as_ref()))?;
-        }
+        let source: Vec<Warning> = match &measured {
+            Measured::Everywhere(table) | Measured::Turning(table) => guard::of_source(table.as_ref()).collect(),
+            Measured::Somewhere(list) => guard::of_samples(list.len(), start.weights().len()).into_iter().collect(),
+        };
+        global.warn_of(&measured::name_of(&self.source), source)?;
         let fits = 1 + u64::from(self.leave_out.unwrap_or(0));
         let bar = progress::bar(fits * u64::from(self.steps), "fitting", global.quiet);
         let cancelled = || {
@@ -76,7 +75,10 @@ impl Fit {
         };
         let fitted = Fitted::to(&measured, turns, &start, options, &cancelled)?;
         let material = measured::name_of(&self.source);
-        global.warn_of(&material, guard::of_energy(fitted.albedo_max()))?;
+        global.warn_of(
+            &material,
+            guard::of_energy(fitted.albedo_max()).into_iter().chain(guard::of_use(fitted.brdf())),
+        )?;
         // Before it is judged by more fits: what is done is not lost with them.
         fitted.write(&self.output)?;
         let error = match &measured {

@@ -9,6 +9,7 @@ use nbrdf_core::metric::{ImageMetric, Metric, Physics, Rendered, directional_alb
 use nbrdf_core::nbrdf::Live;
 use nbrdf_core::sampler::lobe::Lobe;
 use nbrdf_core::sampling::{evaluate, rus32k};
+use nbrdf_core::stress::directions::undecided;
 use nbrdf_core::{Database, Material, Nbrdf, Representation, Split, Warning};
 use serde_json::{Value, json};
 
@@ -53,7 +54,12 @@ impl Info {
         let known = Known::of(&item.material, znbrdf.as_ref(), &shelf.catalog.autoencoder())?;
         let own = guard::of_reflectance(item.material.brdf.as_ref());
         let source = guard::of_source(item.material.brdf.as_ref());
-        let warnings: Vec<Warning> = own.into_iter().chain(source).chain(of_code(&item, &shelf)?).collect();
+        let warnings: Vec<Warning> = own
+            .into_iter()
+            .chain(undecided(item.material.brdf.as_ref()))
+            .chain(source)
+            .chain(of_code(&item, &shelf)?)
+            .collect();
         let live = item.material.network.as_ref().map(|network| (network.live(), Live::all(network.hidden())));
         let lobe = Lobe::fit(item.material.brdf.as_ref());
         let albedo: Vec<_> = ANGLES.map(|angle| (angle, albedo(&item.material, angle))).to_vec();

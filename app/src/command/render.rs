@@ -73,8 +73,10 @@ impl Render {
         let item = shelf.any(&self.material)?;
         shelf.catalog.check_used()?;
         let energy = guard::of_energy(item.albedo_max());
-        let reciprocity = guard::of_reciprocity(item.material.brdf.as_ref());
-        global.warn_of(&item.material.name, of_code(&item, &shelf)?.into_iter().chain(energy).chain(reciprocity))?;
+        let (source, used) =
+            (guard::of_source(item.material.brdf.as_ref()), guard::of_use(item.material.brdf.as_ref()));
+        let told = of_code(&item, &shelf)?.into_iter().chain(source).chain(energy).chain(used);
+        global.warn_of(&item.material.name, told)?;
         let light = self.light.light();
         let lamps_only = environment.is_none();
         let picture = match environment {

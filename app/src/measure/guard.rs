@@ -6,8 +6,7 @@ use autoencoder::Autoencoder;
 use nbrdf_core::brdf::table::Table;
 use nbrdf_core::metric::{albedo_max, directional_albedo, negative_share, reciprocity};
 use nbrdf_core::representation::DecodeError;
-use nbrdf_core::stress::BY_HALF;
-use nbrdf_core::stress::directions::at_the_normal;
+use nbrdf_core::stress::directions::undecided;
 use nbrdf_core::{Brdf, Code, Material, Warning};
 
 use super::Trust;
@@ -39,23 +38,27 @@ pub fn of_reciprocity(brdf: &dyn Brdf) -> Option<Warning> {
     (reciprocity.is_nan() || reciprocity > UNEQUAL).then_some(Warning::NotReciprocal { reciprocity })
 }
 
-/// A reflectance that rounding decides where light and view mirror each other.
-pub fn of_mirror(brdf: &dyn Brdf) -> Option<Warning> {
-    let spread = at_the_normal(brdf);
-    (spread.is_nan() || spread > BY_HALF).then(|| Warning::Undecided { ratio: spread.exp() })
+/// What is wrong with a reflectance that somebody is going to use.
+pub fn of_result(brdf: &dyn Brdf) -> impl Iterator<Item = Warning> {
+    of_energy(albedo_max(brdf)).into_iter().chain(of_use(brdf))
 }
 
-/// All that a reflectance says of itself.
+/// The same, of which the energy is known already.
+pub fn of_use(brdf: &dyn Brdf) -> impl Iterator<Item = Warning> {
+    of_reciprocity(brdf).into_iter().chain(undecided(brdf))
+}
+
+/// All that a reflectance says of itself, wherever it is looked at.
 pub fn of_reflectance(brdf: &dyn Brdf) -> Vec<Warning> {
     let share = negative_share(brdf);
     let negative = (share > NEGATIVE).then_some(Warning::Negative { share });
-    of_energy(albedo_max(brdf)).into_iter().chain(of_reciprocity(brdf)).chain(of_mirror(brdf)).chain(negative).collect()
+    of_energy(albedo_max(brdf)).into_iter().chain(of_reciprocity(brdf)).chain(negative).collect()
 }
 
 /// Albedos at normal incidence of materials: obsidian, the darkest of MERL, has 0.005.
 const ALBEDOS: [f64; 2] = [0.004, 1.0];
 
-/// Share of the cells of a table from which on its gaps are bridged by what is beside them.
+/// Share of the cells above the horizon below which much of a table is made up of what is beside its gaps.
 const MEASURED: f64 = 0.8;
 
 /// All that a material says of itself before anything is made of it.
@@ -133,7 +136,7 @@ mod tests {
     #[test]
     fn a_network_that_rounding_decides_in_the_mirror_is_told_and_a_formula_is_none() {
         let network = builtin::shared().get("red-specular-plastic").unwrap().material().brdf;
-        assert!(matches!(of_mirror(network.as_ref()), Some(Warning::Undecided { ratio }) if ratio > 2.0));
-        assert_eq!(of_mirror(&Ggx { diffuse: Rgb::BLACK, f0: Rgb::splat(0.5), alpha: 0.1 }), None);
+        assert!(matches!(undecided(network.as_ref()), Some(Warning::Undecided { ratio }) if ratio > 2.0));
+        assert_eq!(undecided(&Ggx { diffuse: Rgb::BLACK, f0: Rgb::splat(0.5), alpha: 0.1 }), None);
     }
 }

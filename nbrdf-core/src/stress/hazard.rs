@@ -98,7 +98,7 @@ impl Hazard {
 /// Relative errors of which a renderer's user sees nothing or little: within a fifth.
 pub(crate) const WITHIN_A_FIFTH: f64 = 0.182;
 /// Off by a factor of two.
-pub const BY_HALF: f64 = 0.693;
+pub(crate) const BY_HALF: f64 = 0.693;
 
 #[cfg(test)]
 mod tests {

@@ -8,7 +8,6 @@ use super::painter::Painter;
 use super::samples::Sample;
 use crate::catalog::{Catalog, InterpolationEntry};
 use crate::command::Global;
-use crate::measure::guard;
 
 /// What became of one method.
 pub(super) struct Walk {
@@ -62,15 +61,12 @@ impl Walked {
 
 /// Failures one by one; what can be said of several methods in one line, energy and reciprocity only where a method is
 /// worse than the materials themselves.
-pub(super) fn warn(walks: &[Walk], ends: &[Material], global: &Global) -> Result<()> {
+pub(super) fn warn(walks: &[Walk], [brightest, unequal]: [f64; 2], global: &Global) -> Result<()> {
     for walk in walks {
         if let Err(error) = &walk.result {
             global.warn(format_args!("{}: {error:#}", walk.entry.name))?;
         }
     }
-    let of_ends = |figure: fn(&dyn Brdf) -> f64| ends.iter().map(move |end| figure(end.brdf.as_ref()));
-    let brightest = of_ends(albedo_max).fold(1.0, f64::max) + 1e-3;
-    let least = of_ends(reciprocity).fold(guard::UNEQUAL, f64::max);
     let tell = |what: &str, told: &dyn Fn(&Walked) -> Option<String>| {
         let all = walks.iter().filter_map(|walk| {
             let told = told(walk.result.as_ref().ok()?)?;
@@ -79,10 +75,10 @@ pub(super) fn warn(walks: &[Walk], ends: &[Material], global: &Global) -> Result
         let all: Vec<String> = all.collect();
         if all.is_empty() { Ok(()) } else { global.warn(format_args!("{what}: {}", all.join(", "))) }
     };
-    let above = |value: f64, limit: f64| (value > limit).then(|| format!(" ({value:.2})"));
+    let above = |value: f64, limit: f64| (value > limit + 1e-3).then(|| format!(" ({value:.2})"));
     tell("energy clamped, more light would leave than arrives", &|walked| walked.is_clamped().then(String::new))?;
     tell("more light leaves than arrives, by albedo_max", &|walked| above(walked.albedo, brightest))?;
     tell("light and view exchanged give another reflectance, by reciprocity", &|walked| {
-        above(walked.reciprocity, least)
+        above(walked.reciprocity, unequal)
     })
 }

@@ -68,7 +68,7 @@ struct Asked {
     view: View,
     only_glossy: bool,
     value: Value,
-    said: Option<fn() -> Option<Warning>>,
+    said: Option<fn(&dyn Brdf) -> Option<Warning>>,
 }
 
 fn asked(setup: &Setup, group: Group) -> Vec<Asked> {
@@ -164,7 +164,7 @@ impl Shown {
         let look = || {
             let panels =
                 vec![(self.name.clone(), Arc::clone(&self.reference)), ("decoded".to_owned(), Arc::clone(&self.model))];
-            let said = asked.said.and_then(|said| said());
+            let said = asked.said.and_then(|said| said(self.model.as_ref()));
             (Look { panels, view: asked.view }, self.warnings.iter().cloned().chain(said).collect())
         };
         tally.add(&self.name, value, look);
