@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Where methods fail, for docs/results.md: the report, the heat map and the worst examples; an hour on two cores.
+# Where methods fail, for docs/results.md: the report, the heat map and the worst examples; half an hour on two cores.
 # Goes on where it was interrupted.
 set -euo pipefail
 cd "$(dirname "$0")/.."

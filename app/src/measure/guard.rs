@@ -118,7 +118,6 @@ pub fn of_samples(samples: usize, numbers: usize) -> Option<Warning> {
 mod tests {
     use nbrdf_core::Rgb;
     use nbrdf_core::brdf::ggx::Ggx;
-    use nbrdf_core::library::builtin;
     use nbrdf_core::stress::damage::DAMAGES;
 
     use super::*;
@@ -131,12 +130,5 @@ mod tests {
             assert_eq!(told.is_some(), damage.hazard.name == "missing", "{}: {told:?}", damage.hazard.name);
         }
         assert_eq!(of_gaps(&glossy), None);
-    }
-
-    #[test]
-    fn a_network_that_rounding_decides_in_the_mirror_is_told_and_a_formula_is_none() {
-        let network = builtin::shared().get("red-specular-plastic").unwrap().material().brdf;
-        assert!(matches!(undecided(network.as_ref()), Some(Warning::Undecided { ratio }) if ratio > 2.0));
-        assert_eq!(undecided(&Ggx { diffuse: Rgb::BLACK, f0: Rgb::splat(0.5), alpha: 0.1 }), None);
     }
 }

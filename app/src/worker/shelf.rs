@@ -54,7 +54,7 @@ fn thumbnails(office: &Office, sphere: &Sphere, materials: &[Material]) {
 fn warn(office: &Office, materials: &[Material]) {
     for Material { name, brdf, .. } in materials {
         let brdf = brdf.as_ref();
-        let said = || guard::of_source(brdf).chain(guard::of_result(brdf)).collect();
+        let said = || guard::of_result(brdf).chain(guard::of_source(brdf)).collect();
         let warnings: Vec<_> = guarded(name, said).unwrap_or_default();
         warnings.into_iter().for_each(|warning| office.say(Answer::Notice(format!("{name}: {warning}"))));
     }

@@ -268,6 +268,8 @@ mod tests {
         assert_eq!(value("horizon", &grey, &Odd(|_| 0.1)), 1.0);
         let turning = Odd(|at| 1.5 + at.rusinkiewicz().phi_diff.sin());
         assert!(value("normal_azimuth", &turning, &turning) > 1.0);
+        assert!(matches!(undecided(&turning), Some(Warning::Undecided { ratio }) if ratio > 2.0));
+        assert_eq!(undecided(&grey), None);
         // cos θ_half instead of sin θ_half: 1 − cos² has no digits left.
         let blind = Odd(|at| (1.0 - at.rusinkiewicz().theta_half.cos().powi(2)).max(0.0).sqrt() * 1e3);
         assert!(value("normal_half", &blind, &blind) > 0.2);
