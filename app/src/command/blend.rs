@@ -10,6 +10,7 @@ use anyhow::{Result, anyhow};
 use clap::Args;
 use nbrdf_core::Material;
 use nbrdf_core::metric::{albedo_max, reciprocity};
+use nbrdf_core::stress::directions::undecided;
 use serde_json::{Value, json};
 
 use super::Global;
@@ -85,8 +86,10 @@ impl Blend {
     fn limits(&self, ends: &[Material], global: &Global) -> Result<[f64; 2]> {
         let mut limits = [1.0, guard::UNEQUAL];
         for Material { name, brdf, .. } in ends {
-            global.warn_of(name, guard::of_source(brdf.as_ref()).chain(guard::of_result(brdf.as_ref())))?;
-            let own = [albedo_max(brdf.as_ref()), reciprocity(brdf.as_ref())];
+            let brdf = brdf.as_ref();
+            let own = [albedo_max(brdf), reciprocity(brdf)];
+            let told = guard::of_source(brdf).chain(guard::of_energy(own[0])).chain(guard::of_reciprocity(own[1]));
+            global.warn_of(name, told.chain(undecided(brdf)))?;
             limits = [0, 1].map(|figure| f64::max(limits[figure], own[figure]));
         }
         Ok(limits)
@@ -147,8 +150,7 @@ impl Blend {
             Ok(walked) => {
                 json!({
                     "name": walk.entry.name, "albedo_max": walked.albedo, "reciprocity": walked.reciprocity,
-                    "distances": walked.distances,
-                    "warnings": walked.warnings,
+                    "distances": walked.distances, "warnings": walked.warnings,
                 })
             }
             Err(error) => json!({"name": walk.entry.name, "failed": format!("{error:#}")}),

@@ -33,8 +33,7 @@ pub const UNEQUAL: f64 = 0.2;
 const NEGATIVE: f64 = 0.05;
 
 /// A reflectance that differs with light and view exchanged.
-pub fn of_reciprocity(brdf: &dyn Brdf) -> Option<Warning> {
-    let reciprocity = reciprocity(brdf);
+pub fn of_reciprocity(reciprocity: f64) -> Option<Warning> {
     (reciprocity.is_nan() || reciprocity > UNEQUAL).then_some(Warning::NotReciprocal { reciprocity })
 }
 
@@ -45,14 +44,14 @@ pub fn of_result(brdf: &dyn Brdf) -> impl Iterator<Item = Warning> {
 
 /// The same, of which the energy is known already.
 pub fn of_use(brdf: &dyn Brdf) -> impl Iterator<Item = Warning> {
-    of_reciprocity(brdf).into_iter().chain(undecided(brdf))
+    of_reciprocity(reciprocity(brdf)).into_iter().chain(undecided(brdf))
 }
 
 /// All that a reflectance says of itself, wherever it is looked at.
 pub fn of_reflectance(brdf: &dyn Brdf) -> Vec<Warning> {
     let share = negative_share(brdf);
     let negative = (share > NEGATIVE).then_some(Warning::Negative { share });
-    of_energy(albedo_max(brdf)).into_iter().chain(of_reciprocity(brdf)).chain(negative).collect()
+    of_energy(albedo_max(brdf)).into_iter().chain(of_reciprocity(reciprocity(brdf))).chain(negative).collect()
 }
 
 /// Albedos at normal incidence of materials: obsidian, the darkest of MERL, has 0.005.

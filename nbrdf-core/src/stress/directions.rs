@@ -245,9 +245,7 @@ mod tests {
     #[test]
     fn a_formula_holds_wherever_it_is_its_own_reference() {
         let formula = Ggx { diffuse: Rgb([0.2, 0.15, 0.1]), f0: Rgb::splat(0.04), alpha: 0.3 };
-        for Exposure { hazard, value, .. } in
-            EXPOSURES.iter().filter(|e| e.said.is_none_or(|said| said(&formula).is_none()))
-        {
+        for Exposure { hazard, value, .. } in EXPOSURES.iter().filter(|e| e.hazard.name != "unnormalized") {
             assert!(value(&formula, &formula) <= hazard.holds, "{}", hazard.name);
         }
     }
