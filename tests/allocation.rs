@@ -5,7 +5,7 @@ use std::time::Duration;
 
 use dhat::{Alloc, HeapStats, Profiler};
 use nbrdf::catalog::{Catalog, Reference};
-use nbrdf::worker::{Answer, Card, Lighting, Request, Stock, Worker};
+use nbrdf::worker::{Answer, Card, Lighting, Request, Scenery, Stock, Timing, Worker};
 use nbrdf_core::Weights;
 use nbrdf_core::library::builtin;
 use nbrdf_core::render::{Scrub, Sphere};
@@ -59,18 +59,19 @@ fn the_apps_threads_allocate_no_picture_per_frame() {
     let mut worker = Worker::start(stock, || ());
     let plates = worker.plates();
     let mut request = Request {
-        ends: ["gold-paint".to_owned(), "blue-acrylic".to_owned()],
+        ends: Arc::new(["gold-paint".to_owned(), "blue-acrylic".to_owned()]),
+        weights: Weights::two(0.0),
+        timing: Timing::Straight,
         methods: vec!["latent", "raw_weights"],
-        t: 0.0,
+        scenery: Scenery { lighting: Lighting::Point(nbrdf_core::Vec3::new(0.0, 0.6, 0.8)) },
         exposure: 0.5,
-        lighting: Lighting::Point(nbrdf_core::Vec3::new(0.0, 0.6, 0.8)),
         size: 256,
         strip: 0,
     };
     let mut frames = |count: usize| {
         let (mut pictures, mut figures) = (0, 0);
         for frame in 0..count {
-            request.t = (frame as f32 + 0.5) / count as f32;
+            request.weights = Weights::two((frame as f32 + 0.5) / count as f32);
             let number = worker.show(request.clone());
             let mut is_done = false;
             while !is_done {

@@ -6,13 +6,18 @@ use std::time::{Duration, Instant};
 use egui::accesskit::Role;
 use egui::{Key, Modifiers};
 use egui_kittest::{Harness, kittest::Queryable as _};
+use nbrdf::gui::session::{Look, Methods};
 use nbrdf::gui::{Session, Workbench};
-use nbrdf::worker::{Card, Lighting, Stock};
+use nbrdf::worker::{Card, Lighting, Scenery, Stock};
 use nbrdf_core::Nbrdf;
 use nbrdf_core::nbrdf::{PUBLISHED_WEIGHTS, npy};
 
 fn quick() -> Session {
-    Session { methods: vec!["raw_weights"], strips: false, ..Session::default() }
+    Session { methods: Methods(vec!["raw_weights"]), strips: false, ..Session::default() }
+}
+
+fn under(lighting: Lighting) -> Look {
+    Look { scenery: Scenery { lighting }, ..Look::default() }
 }
 
 fn open(stock: Stock, session: Session, size: [f32; 2]) -> Harness<'static, Workbench> {
@@ -55,19 +60,19 @@ fn search_narrows_the_list() {
 fn choosing_ends_changes_the_cards() {
     let mut harness = built_in(quick());
     settle(&mut harness);
-    let before = harness.state().gallery.view(Card::B).and_then(|view| view.figures);
-    harness.state_mut().session.search = "chrome".to_owned();
+    let before = harness.state().gallery.view(Card::End(1)).and_then(|view| view.figures);
+    harness.state_mut().session.listing.search = "chrome".to_owned();
     harness.run_steps(2);
     harness.get_by_role_and_label(Role::ListItem, "chrome-steel").click();
     harness.run_steps(2);
     harness.get_by_role_and_label(Role::ListItem, "chrome").click_modifiers(Modifiers::SHIFT);
     harness.run_steps(2);
-    assert_eq!(harness.state().session.ends, ["chrome-steel", "chrome"]);
+    assert_eq!(harness.state().session.blend.ends, ["chrome-steel", "chrome"]);
     settle(&mut harness);
-    assert_ne!(harness.state().gallery.view(Card::B).and_then(|view| view.figures), before);
+    assert_ne!(harness.state().gallery.view(Card::End(1)).and_then(|view| view.figures), before);
     harness.get_by_label("chrome as A").click();
     harness.run_steps(2);
-    assert_eq!(harness.state().session.ends, ["chrome", "chrome"]);
+    assert_eq!(harness.state().session.blend.ends, ["chrome", "chrome"]);
 }
 
 #[test]
@@ -81,7 +86,7 @@ fn arrow_keys_scrub_and_a_new_picture_arrives() {
     harness.run_steps(2);
     harness.key_press(Key::ArrowRight);
     harness.run_steps(2);
-    assert_eq!(harness.state().session.t, 9.0 / 16.0);
+    assert_eq!(harness.state().session.blend.t, 9.0 / 16.0);
     settle(&mut harness);
     assert_ne!(figures(harness.state()), before);
     assert!(harness.query_by_label("Sphere raw_weights: shown").is_some());
@@ -94,18 +99,18 @@ fn film_strips_show_whole_paths_and_go_there() {
     assert!((0..9).all(|step| harness.state().gallery.frame(Card::Method("raw_weights"), step).is_some()));
     harness.get_by_label("Raw weights at 0.250").click();
     harness.run_steps(2);
-    assert_eq!(harness.state().session.t, 0.25);
+    assert_eq!(harness.state().session.blend.t, 0.25);
 }
 
 #[test]
 fn light_from_all_around_settles_and_lamps_come_back() {
     let around = Lighting::Around { map: 0, turn: 0.3 };
-    let mut harness = open(Stock::built_in(), Session { lighting: around, ..quick() }, [640.0, 480.0]);
+    let mut harness = open(Stock::built_in(), Session { look: under(around), ..quick() }, [640.0, 480.0]);
     settle(&mut harness);
     assert!(harness.query_by_label("Sphere raw_weights: shown").is_some());
-    let figures = |bench: &Workbench| bench.gallery.view(Card::A).and_then(|view| view.figures);
+    let figures = |bench: &Workbench| bench.gallery.view(Card::End(0)).and_then(|view| view.figures);
     assert!(figures(harness.state()).is_none(), "grainy pictures are not judged");
-    harness.state_mut().session.lighting = Lighting::Studio;
+    harness.state_mut().session.look = Look::default();
     harness.run_steps(2);
     settle(&mut harness);
     assert!(figures(harness.state()).is_some());
@@ -120,7 +125,7 @@ fn a_map_that_is_opened_is_shown_and_one_that_is_none_is_a_notice() {
     let mut harness = built_in(quick());
     harness.state().open(map);
     until(&mut harness, "the map is listed", |bench| bench.gallery.maps.len() == 2);
-    assert_eq!(harness.state().session.lighting, Lighting::Around { map: 1, turn: 0.0 });
+    assert_eq!(harness.state().session.look.scenery.lighting, Lighting::Around { map: 1, turn: 0.0 });
     let square = folder.path().join("square.exr");
     nbrdf_core::Image::black(4, 4).write_exr(&square).unwrap();
     harness.state().open(square);
@@ -145,7 +150,9 @@ fn a_material_that_is_opened_and_makes_light_of_nothing_is_a_notice() {
 
 #[test]
 fn an_unknown_material_is_a_notice() {
-    let mut harness = built_in(Session { ends: ["crome".to_owned(), "chrome".to_owned()], ..quick() });
+    let mut session = quick();
+    session.blend.choose(0, "crome");
+    let mut harness = built_in(session);
     until(&mut harness, "there is a notice", |bench| !bench.gallery.notices.is_empty());
     assert!(harness.query_by_label("Sphere A: failed").is_some());
     harness.get_by_label("Dismiss").click();
@@ -166,7 +173,7 @@ fn a_panicking_method_is_a_notice_and_the_other_spheres_stay() {
 #[test]
 fn in_a_small_window_no_spheres_overlap() {
     let methods = vec!["latent", "raw_weights", "linear_mix", "log_mix", "nearest_end"];
-    let mut harness = open(Stock::built_in(), Session { methods, ..quick() }, [640.0, 480.0]);
+    let mut harness = open(Stock::built_in(), Session { methods: Methods(methods), ..quick() }, [640.0, 480.0]);
     harness.run_steps(3);
     let spheres: Vec<_> = harness.query_all_by_role(Role::Image).map(|node| node.rect()).collect();
     assert!(spheres.len() >= 2, "{spheres:?}");

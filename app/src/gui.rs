@@ -1,21 +1,28 @@
 //! The desktop app: two materials, the ways between them, side by side and live.
 //!
-//! [`Session`] is what the user chose, [`Gallery`] what the worker answered; [`Workbench`] brings them together, and
-//! each panel is a struct that borrows what it shows. The window is a thin shell around it, so that tests drive
-//! everything without one. No panel evaluates a material: that is the [worker](crate::worker)'s.
+//! [`Session`] is what the user chose, [`Gallery`] what the worker answered, [`Layout`] where the panes are;
+//! [`Workbench`] brings them together. A [pane](pane::Pane) borrows what it shows; an [action](action::Action) is
+//! something that can be done by key, button or name. The window is a thin shell around it, so that tests drive
+//! everything without one. No pane evaluates a material: that is the [worker](crate::worker)'s.
 
+pub mod action;
 pub mod args;
 mod card;
 mod cards;
-mod controls;
 mod gallery;
 mod header;
+mod help;
+mod history;
+mod layout;
 mod look;
 mod notices;
+mod palette;
+pub mod pane;
 mod scrubber;
 pub mod session;
 mod shelf;
 mod status;
+pub mod store;
 mod strips;
 mod window;
 mod workbench;
@@ -26,7 +33,8 @@ use anyhow::Result;
 
 pub use args::App;
 pub use gallery::Gallery;
-pub use session::{End, Session};
+pub use layout::Layout;
+pub use session::Session;
 pub use workbench::Workbench;
 
 /// Opens the app on the built-in library and the materials in these files; returns when its window is closed.

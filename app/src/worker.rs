@@ -10,6 +10,7 @@ mod mailbox;
 mod paths;
 mod picture;
 mod plates;
+mod request;
 mod shelf;
 mod spheres;
 mod stock;
@@ -21,15 +22,16 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::PathBuf;
 use std::sync::{Arc, PoisonError, RwLock, mpsc};
 
-use nbrdf_core::render::{Environment, Light};
-use nbrdf_core::{Material, Vec3};
+use nbrdf_core::Material;
+use nbrdf_core::render::Environment;
 
 pub use figures::Figures;
+pub(crate) use mailbox::Mailbox;
 pub use picture::Picture;
 pub use plates::Plates;
+pub use request::{Lighting, Request, Scenery, Timing};
 pub use stock::Stock;
 
-use mailbox::Mailbox;
 use paths::Paths;
 
 /// Points of a film strip, ends included.
@@ -38,58 +40,10 @@ pub const STRIP_STEPS: usize = 9;
 /// One sphere of the comparison.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Card {
-    /// The material at t = 0.
-    A,
+    /// The material at this end.
+    End(usize),
     /// What an interpolation, by catalog name, makes of the ends.
     Method(&'static str),
-    /// The material at t = 1.
-    B,
-}
-
-/// The light the spheres stand in.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Lighting {
-    /// The eleven lamps of the reports.
-    Studio,
-    /// One lamp in this direction: +x right, +y up, +z towards the viewer.
-    Point(Vec3),
-    /// A map all around, sample after sample.
-    Around {
-        /// Its place in the list of maps; 0 is the built-in one.
-        map: usize,
-        /// How far it is turned about the vertical axis \[rad\].
-        turn: f32,
-    },
-}
-
-impl Lighting {
-    /// The lamps; none where light comes from all around.
-    fn lamps(self) -> Option<Light> {
-        match self {
-            Self::Studio => Some(Light::studio()),
-            Self::Point(direction) => Some(Light::directional(direction)),
-            Self::Around { .. } => None,
-        }
-    }
-}
-
-/// What is to be shown.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Request {
-    /// Names of the ends.
-    pub ends: [String; 2],
-    /// Catalog names of the interpolations.
-    pub methods: Vec<&'static str>,
-    /// Where on the path, 0..1.
-    pub t: f32,
-    /// Exposure in stops.
-    pub exposure: f32,
-    /// The light.
-    pub lighting: Lighting,
-    /// Side of a sphere's picture in pixels.
-    pub size: usize,
-    /// Side of the pictures of the film strips in pixels; 0 for no strips.
-    pub strip: usize,
 }
 
 /// What the threads have to say.
@@ -125,7 +79,7 @@ pub struct Worker {
     wants: Arc<Mailbox<Vec<paths::Key>>>,
     files: mpsc::Sender<PathBuf>,
     answers: mpsc::Receiver<Answer>,
-    plates: Plates,
+    office: Office,
     number: u64,
 }
 
@@ -172,12 +126,11 @@ impl Worker {
             wake: Arc::new(wake),
         };
         let (requests, wants) = (Arc::clone(&office.requests), Arc::clone(&office.wants));
-        let plates = office.plates.clone();
-        let [for_paths, for_studio] = [office.clone(), office.clone()];
+        let [for_paths, for_studio, for_shelf] = [office.clone(), office.clone(), office.clone()];
         std::thread::spawn(move || paths::run(&for_paths));
         std::thread::spawn(move || studio::run(for_studio));
-        std::thread::spawn(move || shelf::run(&office, &opened));
-        Self { requests, wants, files, answers, plates, number: 0 }
+        std::thread::spawn(move || shelf::run(&for_shelf, &opened));
+        Self { requests, wants, files, answers, office, number: 0 }
     }
 
     /// Asks for spheres; replaces what was asked before. The number comes back in [`Answer::Done`].
@@ -189,7 +142,13 @@ impl Worker {
 
     /// Where buffers of pictures go back to once they are shown.
     pub fn plates(&self) -> Plates {
-        self.plates.clone()
+        self.office.plates.clone()
+    }
+
+    /// What to do with something that went wrong elsewhere: it becomes a notice.
+    pub fn complaints(&self) -> impl Fn(String) + Send + 'static {
+        let office = self.office.clone();
+        move |why| office.say(Answer::Notice(why))
     }
 
     /// Asks to read the materials of a file, a folder or an archive, or an environment map.

@@ -4,10 +4,12 @@ use std::path::PathBuf;
 
 use anyhow::{Result, anyhow};
 use clap::{Args, ValueEnum};
-use nbrdf_core::Vec3;
 use nbrdf_core::library::builtin;
 
-use super::{Session, window};
+use super::session::LAMP;
+use super::store::{self, Found};
+use super::window::{self, Opening};
+use super::{Layout, Session};
 use crate::worker::Lighting;
 
 /// The desktop app: walk between two materials and watch.
@@ -30,6 +32,9 @@ pub struct App {
     /// Colours of the window; those of the system by default.
     #[arg(long, value_enum)]
     pub theme: Option<Theme>,
+    /// Begin anew instead of where the last session ended.
+    #[arg(long)]
+    pub new: bool,
     /// Size of the window, such as 1600x900.
     #[arg(long, value_parser = size, value_name = "WxH")]
     pub size: Option<[u16; 2]>,
@@ -53,7 +58,7 @@ impl Light {
     fn lighting(self) -> Lighting {
         match self {
             Self::Studio => Lighting::Studio,
-            Self::Point => Lighting::Point(Vec3::new(1.0, 0.0, 1.0).normalize()),
+            Self::Point => LAMP,
             Self::Softboxes => Lighting::Around { map: 0, turn: 0.0 },
         }
     }
@@ -74,28 +79,48 @@ impl App {
     /// # Errors
     /// If a material is unknown, or there is no display to open a window on.
     pub fn run(&self) -> Result<()> {
-        let session = self.session()?;
+        // Names are checked before anything is opened.
+        self.session(Session::default())?;
         if !has_display() {
             return Err(no_display("neither DISPLAY nor WAYLAND_DISPLAY is set"));
         }
-        window::open(self.clone(), session).map_err(|error| no_display(&reason(&error)))
+        let mut opening = Opening { file: self.file(), ..Opening::default() };
+        match opening.file.as_deref().filter(|_| !self.new).map(store::read) {
+            Some(Found::Session(saved)) => {
+                opening.session = saved.session;
+                opening.layout = Some(saved.layout).filter(Layout::is_whole).unwrap_or_default();
+                opening.size = saved.window;
+            }
+            Some(Found::Damaged(why)) => opening.notice = Some(why),
+            Some(Found::Nothing) | None => {}
+        }
+        opening.session = self.session(opening.session)?;
+        opening.size = self.size.map(|size| size.map(f32::from)).or(opening.size);
+        window::open(self.clone(), opening).map_err(|error| no_display(&reason(&error)))
     }
 
-    fn session(&self) -> Result<Session> {
-        let mut session = Session::default();
-        session.lighting = self.light.map_or(session.lighting, Light::lighting);
-        for (end, name) in session.ends.iter_mut().zip([&self.a, &self.b]) {
+    /// What the command line asks of a session: the last one, or a new one.
+    fn session(&self, last: Session) -> Result<Session> {
+        let mut session = last;
+        let look = &mut session.look;
+        look.scenery.lighting = self.light.map_or(look.scenery.lighting, Light::lighting);
+        for (end, name) in [&self.a, &self.b].into_iter().enumerate() {
             if let Some(name) = name {
-                *end = builtin::shared().get(name)?.name.clone();
+                session.blend.choose(end, &builtin::shared().get(name)?.name);
             }
         }
-        session.t = self.t.unwrap_or(session.t);
+        session.blend.t = self.t.unwrap_or(session.blend.t);
         session.theme = match self.theme {
             Some(Theme::Dark) => egui::ThemePreference::Dark,
             Some(Theme::Light) => egui::ThemePreference::Light,
-            None => egui::ThemePreference::System,
+            None => session.theme,
         };
         Ok(session)
+    }
+
+    /// The file that the session is kept in; pictures of the window are of a new session and leave no trace.
+    fn file(&self) -> Option<PathBuf> {
+        if self.screenshot.is_some() { None } else { store::file() }
     }
 }
 
@@ -151,6 +176,6 @@ mod tests {
     #[test]
     fn an_unknown_material_is_refused_before_a_window_opens() {
         let app = App { a: Some("crome".to_owned()), ..App::default() };
-        assert!(app.session().unwrap_err().to_string().contains("did you mean `chrome`"));
+        assert!(app.session(Session::default()).unwrap_err().to_string().contains("did you mean `chrome`"));
     }
 }

@@ -6,7 +6,8 @@ use egui::{
 };
 
 use super::gallery::{State, View};
-use super::{End, Session, look};
+use super::session::letter;
+use super::{Session, look};
 use crate::catalog::Catalog;
 use crate::worker::{Card, Figures};
 
@@ -43,21 +44,15 @@ impl CardPanel<'_> {
 
     fn title(&self, ui: &mut Ui) {
         let (name, about) = match self.card {
-            Card::A => (self.session.ends[0].as_str(), "The material at t = 0, as it is"),
-            Card::B => (self.session.ends[1].as_str(), "The material at t = 1, as it is"),
+            Card::End(end) => (self.session.blend.ends.get(end).map_or("", String::as_str), "The material as it is"),
             Card::Method(name) => {
                 Catalog::interpolation_entry(name).map_or((name, ""), |entry| (entry.title, entry.about))
             }
         };
-        let end = match self.card {
-            Card::A => Some(End::A),
-            Card::B => Some(End::B),
-            Card::Method(_) => None,
-        };
         let line = Layout::left_to_right(Align::Min);
         ui.allocate_ui_with_layout(vec2(ui.available_width(), TITLE), line, |ui| {
             ui.set_min_height(TITLE);
-            if let Some(end) = end {
+            if let Card::End(end) = self.card {
                 let (rect, _) = ui.allocate_exact_size(vec2(24.0, 18.0), Sense::hover());
                 look::badge(ui.painter(), rect.left_center() + vec2(9.0, 0.0), end, true, ui.visuals());
             }
@@ -69,9 +64,8 @@ impl CardPanel<'_> {
     fn sphere(&mut self, ui: &mut Ui) {
         let (rect, sphere) = ui.allocate_exact_size(Vec2::splat(self.side), Sense::drag());
         let name = match self.card {
-            Card::A => "A",
-            Card::Method(name) => name,
-            Card::B => "B",
+            Card::End(end) => letter(end).to_string(),
+            Card::Method(name) => name.to_owned(),
         };
         let state = self.view.map_or(&State::Pending, |view| &view.state);
         sphere.widget_info(|| {
@@ -106,16 +100,18 @@ impl CardPanel<'_> {
             && let Some(pointer) = sphere.interact_pointer_pos()
         {
             let radius = rect.width() / 2.0;
-            if !self.session.turn_by(sphere.drag_delta().x / radius) {
+            if !self.session.look.turn_by(sphere.drag_delta().x / radius) {
                 let from_middle = (pointer - rect.center()) / radius;
-                self.session.point_at(from_middle.x, -from_middle.y);
+                self.session.look.point_at(from_middle.x, -from_middle.y);
             }
             ui.ctx().set_cursor_icon(CursorIcon::Crosshair);
         }
     }
 
     fn mark(&self, ui: &Ui, rect: Rect, sphere: &Response) {
-        let Some([x, y]) = self.session.highlight().filter(|_| sphere.hovered() || sphere.dragged()) else { return };
+        let Some([x, y]) = self.session.look.highlight().filter(|_| sphere.hovered() || sphere.dragged()) else {
+            return;
+        };
         let at: Pos2 = rect.center() + vec2(x, -y) * (rect.width() / 2.0);
         ui.painter().circle_stroke(at, 8.0, Stroke::new(3.0, Color32::from_black_alpha(120)));
         ui.painter().circle_stroke(at, 8.0, Stroke::new(1.5, Color32::WHITE));
@@ -162,19 +158,16 @@ fn figures(ui: &mut Ui, card: Card, figures: Option<Figures>) {
         &shown(figures.map(|f| f.to_mix), 1),
         &format!("Mean ΔE_ITP to the exact linear mix of the ends, {seen}. One unit is just noticeable."),
     );
-    let (label, distance) = match (card, figures) {
-        (Card::A, _) => ("ΔE to B", figures.map(|f| f.to_ends[1])),
-        (Card::B, _) => ("ΔE to A", figures.map(|f| f.to_ends[0])),
-        (_, Some(f)) if f.to_ends[1] < f.to_ends[0] => ("ΔE to B", Some(f.to_ends[1])),
-        _ => ("ΔE to A", figures.map(|f| f.to_ends[0])),
-    };
-    line(ui, label, &shown(distance, 1), "Mean ΔE_ITP to the other end; of a path, to the nearest one.");
+    let nearest = figures.map(|f| f.nearest);
+    let label = nearest.map_or("ΔE to end".to_owned(), |(end, _)| format!("ΔE to {}", letter(end)));
+    let about = "Mean ΔE_ITP to the nearest end; of an end, to the nearest other one.";
+    line(ui, &label, &shown(nearest.map(|(_, distance)| distance), 1), about);
     let hue = figures.map(|f| f.hue).filter(|_| matches!(card, Card::Method(_)));
     line(
         ui,
         "Hue detour",
         &shown(hue, 3),
-        "How far the mean colour leaves the straight line between the ends, in u′v′.",
+        "How far the mean colour leaves all mixtures of the ends' colours, in u′v′.",
     );
 }
 

@@ -1,15 +1,14 @@
-//! The middle: all spheres side by side, as large as fits, and whole paths below them.
+//! All spheres side by side, as large as fits.
 
-use egui::{Rect, ScrollArea, Sense, Ui, Vec2, pos2, vec2};
+use egui::{Rect, ScrollArea, Sense, Ui, Vec2, vec2};
 
 use super::card::{self, CardPanel};
-use super::strips::{self, Strips};
 use super::{Gallery, Session};
 
 const GAP: f32 = 8.0;
 const SMALLEST: f32 = 96.0;
 
-/// The middle of the window.
+/// The spheres.
 pub struct Cards<'a> {
     pub session: &'a mut Session,
     pub gallery: &'a Gallery,
@@ -22,23 +21,19 @@ pub struct Grid {
     pub columns: usize,
     /// Side of a sphere.
     pub side: f32,
-    /// Side of a frame of a film strip.
-    pub frame: f32,
     /// Height of everything.
     pub height: f32,
 }
 
 impl Cards<'_> {
-    /// The sizes asked for, in points: of a sphere, and of a frame of a strip (0 for none).
-    pub fn show(self, ui: &mut Ui) -> [f32; 2] {
+    /// The side of a sphere that is asked for \[points\].
+    pub fn show(self, ui: &mut Ui) -> f32 {
         let Self { session, gallery } = self;
         let cards = session.cards();
-        let strips = if session.strips { session.methods.len() } else { 0 };
         let (available, pixel) = (ui.available_size(), 1.0 / ui.pixels_per_point());
-        let mut grid = Grid::fit(available, cards.len(), strips);
+        let mut grid = Grid::fit(available, cards.len());
         // Whole pixels, so that pictures are shown as they were rendered.
         grid.side = (grid.side / pixel).floor() * pixel;
-        grid.frame = (grid.frame / pixel).floor() * pixel;
         ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
             let spare = ((available.y - grid.height) / 2.0).max(0.0);
             let (area, _) = ui.allocate_exact_size(vec2(available.x, grid.height.max(available.y)), Sense::hover());
@@ -51,25 +46,19 @@ impl Cards<'_> {
                 CardPanel { session: &mut *session, view: gallery.view(card), card, side: grid.side }
                     .show(ui, Rect::from_min_size(at, size));
             }
-            if grid.frame > 0.0 {
-                let top = corner.y + cards.len().div_ceil(grid.columns) as f32 * (size.y + GAP);
-                let area = Rect::from_min_max(pos2(corner.x, top), pos2(corner.x + wide, area.bottom()));
-                Strips { session, gallery, frame: grid.frame }.show(ui, area);
-            }
         });
-        [grid.side, grid.frame]
+        grid.side
     }
 }
 
 impl Grid {
     /// The largest spheres that fit; one row is worth a fifth of their size.
-    pub fn fit(available: Vec2, cards: usize, strips: usize) -> Self {
-        let for_strips = if strips > 0 { strips::height(strips, strips::SMALLEST) } else { 0.0 };
+    pub fn fit(available: Vec2, cards: usize) -> Self {
         let text = card::size(0.0);
         let side = |columns: usize| {
             let (columns, rows) = (columns as f32, cards.div_ceil(columns) as f32);
             let wide = (available.x + GAP) / columns - GAP - text.x;
-            let high = (available.y - for_strips + GAP) / rows - GAP - text.y;
+            let high = (available.y + GAP) / rows - GAP - text.y;
             wide.min(high)
         };
         let worth = |columns: usize| side(columns) * if columns == cards { 1.2 } else { 1.0 };
@@ -82,9 +71,7 @@ impl Grid {
             (columns, ((available.x + GAP) / columns as f32 - GAP - text.x).clamp(SMALLEST, 160.0))
         };
         let high = cards.div_ceil(columns) as f32 * (side + text.y + GAP);
-        let wide = columns as f32 * (side + text.x + GAP) - GAP;
-        let frame = if strips > 0 { strips::fit(vec2(wide, available.y - high), strips) } else { 0.0 };
-        Self { columns, side, frame, height: high - GAP + if strips > 0 { strips::height(strips, frame) } else { 0.0 } }
+        Self { columns, side, height: high - GAP }
     }
 }
 
@@ -94,14 +81,14 @@ mod tests {
 
     #[test]
     fn five_cards_stand_in_one_row_and_fill_the_width() {
-        let grid = Grid::fit(vec2(1300.0, 700.0), 5, 3);
+        let grid = Grid::fit(vec2(1300.0, 700.0), 5);
         assert_eq!(grid.columns, 5);
-        assert!(grid.side > 210.0 && grid.height <= 700.0 && grid.frame > 50.0, "{grid:?}");
+        assert!(grid.side > 210.0 && grid.height <= 700.0, "{grid:?}");
     }
 
     #[test]
     fn a_narrow_middle_wraps_and_nothing_is_smaller_than_it_may_be() {
-        let grid = Grid::fit(vec2(300.0, 200.0), 5, 3);
+        let grid = Grid::fit(vec2(300.0, 200.0), 5);
         assert_eq!(grid.columns, 2);
         assert!(grid.side >= SMALLEST && grid.height > 200.0, "it scrolls: {grid:?}");
     }
@@ -111,7 +98,7 @@ mod tests {
         for (width, height) in (100..2000).step_by(37).flat_map(|w| (100..1200).step_by(41).map(move |h| (w, h))) {
             for cards in 2..=13 {
                 let available = vec2(width as f32, height as f32);
-                let grid = Grid::fit(available, cards, cards - 2);
+                let grid = Grid::fit(available, cards);
                 let rows = cards.div_ceil(grid.columns) as f32;
                 assert!(rows * card::size(grid.side).y <= grid.height + 0.01, "{grid:?}");
                 assert!(grid.side >= SMALLEST);

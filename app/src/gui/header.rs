@@ -1,44 +1,47 @@
-//! The top bar: what is compared, and how the window looks.
+//! The top bar: what is compared, and what can be done about it.
 
-use egui::{RichText, ThemePreference, Ui};
+use egui::{Button, Label, RichText, Ui};
 
 use super::Session;
+use super::action::Action;
 use crate::catalog::INTERPOLATIONS;
 
 /// The top bar.
 pub struct Header<'a> {
     pub session: &'a mut Session,
+    /// Whether there is something to undo, and to redo.
+    pub ways: [bool; 2],
 }
 
 impl Header<'_> {
-    pub fn show(self, ui: &mut Ui) {
-        let Self { session } = self;
+    /// What was asked for.
+    pub fn show(self, ui: &mut Ui) -> Vec<Action> {
+        let Self { session, ways } = self;
+        let mut asked = Vec::new();
         ui.horizontal_centered(|ui| {
             ui.label(RichText::new("nbrdf").heading().strong());
             ui.add_space(4.0);
-            ui.label(RichText::new(format!("{}  to  {}", session.ends[0], session.ends[1])).weak());
             ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
-                theme(ui, session);
+                let mut button = |ui: &mut Ui, face: &str, action: Action, is_on: bool| {
+                    let about = format!("{}  {}", action.title(), action.shown_key(ui.ctx()));
+                    if ui.add_enabled(is_on, Button::new(face)).on_hover_text(about.trim_end()).clicked() {
+                        asked.push(action);
+                    }
+                };
+                button(ui, "Help", Action::Help, true);
+                button(ui, if ui.visuals().dark_mode { "Light" } else { "Dark" }, Action::Theme, true);
                 methods(ui, session);
-                let swap = ui.button("Swap").on_hover_text("Exchange A and B; the picture in between stays (X)");
-                if swap.clicked() {
-                    session.swap();
-                }
+                button(ui, "Swap", Action::Swap, true);
+                button(ui, "Redo", Action::Redo, ways[1]);
+                button(ui, "Undo", Action::Undo, ways[0]);
+                button(ui, "Commands", Action::Palette, true);
+                ui.with_layout(egui::Layout::left_to_right(egui::Align::Center), |ui| {
+                    let ends = session.blend.ends.join("  to  ");
+                    ui.add(Label::new(RichText::new(ends).weak()).truncate());
+                });
             });
         });
-    }
-}
-
-fn theme(ui: &mut Ui, session: &mut Session) {
-    let (face, name, other) = if ui.visuals().dark_mode {
-        ("Light", "Light theme", ThemePreference::Light)
-    } else {
-        ("Dark", "Dark theme", ThemePreference::Dark)
-    };
-    let button = ui.button(face).on_hover_text(name);
-    button.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Button, true, name));
-    if button.clicked() {
-        session.theme = other;
+        asked
     }
 }
 
@@ -46,13 +49,11 @@ fn methods(ui: &mut Ui, session: &mut Session) {
     ui.menu_button("Methods", |ui| {
         ui.set_min_width(190.0);
         for entry in INTERPOLATIONS {
-            let mut is_on = session.methods.contains(&entry.name);
+            let mut is_on = session.methods.0.contains(&entry.name);
             if ui.checkbox(&mut is_on, entry.title).on_hover_text(entry.about).changed() {
-                session.toggle_method(entry.name);
+                session.methods.toggle(entry.name);
             }
         }
-        ui.separator();
-        ui.checkbox(&mut session.strips, "Film strips").on_hover_text("Whole paths below the spheres");
     })
     .response
     .on_hover_text("Which ways between the materials are shown");

@@ -4,20 +4,27 @@ use egui::{
     Align2, Color32, Context, CornerRadius, FontFamily, FontId, Painter, Pos2, Stroke, TextStyle, Theme, Visuals,
 };
 
-use super::End;
+use super::session::letter;
 
 /// Radius of cards and rows.
 pub const ROUND: u8 = 8;
 
 /// The colour of an end.
-pub fn accent(end: End, visuals: &Visuals) -> Color32 {
-    match (end, visuals.dark_mode) {
-        (End::A, true) => Color32::from_rgb(240, 170, 80),
-        (End::A, false) => Color32::from_rgb(190, 105, 10),
-        (End::B, true) => Color32::from_rgb(105, 170, 250),
-        (End::B, false) => Color32::from_rgb(30, 100, 205),
-    }
+pub fn accent(end: usize, visuals: &Visuals) -> Color32 {
+    let [dark, light] = ACCENTS[end % ACCENTS.len()];
+    let [r, g, b] = if visuals.dark_mode { dark } else { light };
+    Color32::from_rgb(r, g, b)
 }
+
+/// Of each end, on dark and on light: told apart by most colour-blind people, too (after M. Okabe, K. Ito 2008).
+const ACCENTS: [[[u8; 3]; 2]; 6] = [
+    [[240, 170, 80], [190, 105, 10]],
+    [[105, 170, 250], [30, 100, 205]],
+    [[80, 200, 160], [0, 130, 95]],
+    [[230, 140, 190], [175, 70, 130]],
+    [[235, 225, 100], [140, 125, 0]],
+    [[240, 125, 95], [195, 75, 30]],
+];
 
 /// Text on an accent.
 pub fn on_accent(visuals: &Visuals) -> Color32 {
@@ -36,7 +43,7 @@ pub fn card_stroke(visuals: &Visuals) -> Stroke {
 }
 
 /// A disc with the end's letter.
-pub fn badge(painter: &Painter, centre: Pos2, end: End, is_chosen: bool, visuals: &Visuals) {
+pub fn badge(painter: &Painter, centre: Pos2, end: usize, is_chosen: bool, visuals: &Visuals) {
     let (radius, colour) = (9.0, accent(end, visuals));
     let text = if is_chosen {
         painter.circle_filled(centre, radius, colour);
@@ -46,7 +53,7 @@ pub fn badge(painter: &Painter, centre: Pos2, end: End, is_chosen: bool, visuals
         painter.circle_stroke(centre, radius - 0.5, Stroke::new(1.0, quiet.gamma_multiply(0.6)));
         quiet
     };
-    painter.text(centre, Align2::CENTER_CENTER, end.letter(), FontId::proportional(12.0), text);
+    painter.text(centre, Align2::CENTER_CENTER, letter(end), FontId::proportional(12.0), text);
 }
 
 /// Both themes, and the sizes of text.
@@ -95,7 +102,7 @@ fn finish(mut visuals: Visuals) -> Visuals {
         widget.corner_radius = CornerRadius::same(6);
     }
     visuals.widgets.open.corner_radius = CornerRadius::same(6);
-    visuals.selection.bg_fill = accent(End::B, &visuals).gamma_multiply(0.35);
-    visuals.selection.stroke.color = accent(End::B, &visuals);
+    visuals.selection.bg_fill = accent(1, &visuals).gamma_multiply(0.35);
+    visuals.selection.stroke.color = accent(1, &visuals);
     visuals
 }

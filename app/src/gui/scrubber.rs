@@ -1,14 +1,19 @@
-//! The slider from A to B, with a mark at every sixteenth.
+//! The slider from the first material to the last, with a mark at every sixteenth.
 
 use egui::{
-    Align2, EventFilter, FontId, Key, Mesh, Rect, Response, Sense, Stroke, Ui, WidgetInfo, accesskit::Action, pos2,
-    vec2,
+    Align2, EventFilter, FontId, Id, Key, Mesh, Rect, Response, Sense, Shape, Stroke, Ui, WidgetInfo,
+    accesskit::Action, pos2, vec2,
 };
 
-use super::session::TICKS;
-use super::{End, Session, look};
+use super::session::{Blend, TICKS};
+use super::{Session, look};
 
 const HEIGHT: f32 = 34.0;
+
+/// The slider's own id: keys that are its own even without focus ask for it.
+pub fn id() -> Id {
+    Id::unique("scrubber")
+}
 
 /// The slider.
 pub struct Scrubber<'a> {
@@ -18,18 +23,20 @@ pub struct Scrubber<'a> {
 impl Scrubber<'_> {
     pub fn show(self, ui: &mut Ui) -> Response {
         let Self { session } = self;
-        let (rect, mut scrubber) = ui.allocate_exact_size(vec2(ui.available_width(), HEIGHT), Sense::click_and_drag());
+        let (_, rect) = ui.allocate_space(vec2(ui.available_width(), HEIGHT));
+        let mut scrubber = ui.interact(rect, id(), Sense::click_and_drag());
         let rail = Rect::from_min_max(pos2(rect.left() + 34.0, rect.top()), pos2(rect.right() - 34.0, rect.bottom()));
         if (scrubber.dragged() || scrubber.clicked())
             && let Some(pointer) = scrubber.interact_pointer_pos()
         {
             scrubber.request_focus();
-            session.go_to((pointer.x - rail.left()) / rail.width());
+            let [low, high] = session.blend.range();
+            session.blend.go_to(low + (high - low) * (pointer.x - rail.left()) / rail.width());
             scrubber.mark_changed();
         }
         keys(ui, &scrubber, session);
-        scrubber.widget_info(|| WidgetInfo::slider(true, f64::from(session.t), "t, from A to B"));
-        paint(ui, rect, rail, &scrubber, session.t);
+        scrubber.widget_info(|| WidgetInfo::slider(true, f64::from(session.blend.t), "t, from A to B"));
+        paint(ui, rect, rail, &scrubber, &session.blend);
         scrubber.on_hover_text("t: drag, or left and right arrow keys; Home and End go to A and B")
     }
 }
@@ -41,52 +48,73 @@ fn keys(ui: &Ui, scrubber: &Response, session: &mut Session) {
         let asked = |action| input.num_accesskit_action_requests(scrubber.id, action);
         (asked(Action::Increment), asked(Action::Decrement))
     });
-    (0..up).for_each(|_| session.step(1));
-    (0..down).for_each(|_| session.step(-1));
+    (0..up).for_each(|_| session.blend.step(1));
+    (0..down).for_each(|_| session.blend.step(-1));
     // With nothing in focus the arrows are the scrubber's too.
     if !scrubber.has_focus() && ui.memory(|memory| memory.focused().is_some()) {
         return;
     }
     let pressed = |key| ui.input(|input| input.num_presses(key));
-    (0..pressed(Key::ArrowRight)).for_each(|_| session.step(1));
-    (0..pressed(Key::ArrowLeft)).for_each(|_| session.step(-1));
+    (0..pressed(Key::ArrowRight)).for_each(|_| session.blend.step(1));
+    (0..pressed(Key::ArrowLeft)).for_each(|_| session.blend.step(-1));
     if pressed(Key::Home) > 0 {
-        session.go_to(0.0);
+        session.blend.go_to(0.0);
     }
     if pressed(Key::End) > 0 {
-        session.go_to(1.0);
+        session.blend.go_to(1.0);
     }
 }
 
-fn paint(ui: &Ui, rect: Rect, rail: Rect, scrubber: &Response, t: f32) {
+fn paint(ui: &Ui, rect: Rect, rail: Rect, scrubber: &Response, blend: &Blend) {
     let (painter, visuals) = (ui.painter(), ui.visuals());
-    let (y, x) = (rect.top() + 13.0, |t: f32| rail.left() + t * rail.width());
-    look::badge(painter, pos2(rect.left() + 10.0, y), End::A, true, visuals);
-    look::badge(painter, pos2(rect.right() - 10.0, y), End::B, true, visuals);
+    let [low, high] = blend.range();
+    let (y, x) = (rect.top() + 13.0, |t: f32| rail.left() + (t - low) / (high - low) * rail.width());
+    let last = blend.ends.len() - 1;
     let quiet = visuals.weak_text_color();
     for tick in 0..=TICKS {
         let long = if tick % (TICKS / 4) == 0 { 7.0 } else { 4.0 };
         let at = x(f32::from(tick) / f32::from(TICKS));
         painter.vline(at, y + 9.0..=y + 9.0 + long, Stroke::new(1.0, quiet.gamma_multiply(0.7)));
     }
+    if blend.is_beyond {
+        beyond(ui, [rail.left(), x(0.0)], y);
+        beyond(ui, [x(1.0), rail.right()], y);
+    }
     let mut bar = Mesh::default();
-    for (index, (end, at)) in [(End::A, rail.left()), (End::B, rail.right())].into_iter().enumerate() {
-        let colour = look::accent(end, visuals);
+    for end in 0..=last {
+        let (colour, at) = (look::accent(end, visuals), x(end as f32 / last as f32));
         bar.colored_vertex(pos2(at, y - 2.0), colour);
         bar.colored_vertex(pos2(at, y + 2.0), colour);
-        if index == 1 {
-            bar.add_triangle(0, 1, 2);
-            bar.add_triangle(1, 2, 3);
+        if end > 0 {
+            let first = 2 * end as u32 - 2;
+            bar.add_triangle(first, first + 1, first + 2);
+            bar.add_triangle(first + 1, first + 2, first + 3);
         }
     }
     painter.add(bar);
+    for end in 0..=last {
+        // At the rims beside the rail; keys in between, and ends that are gone beyond, on it.
+        let at = match end {
+            0 if !blend.is_beyond => rect.left() + 10.0,
+            _ if end == last && !blend.is_beyond => rect.right() - 10.0,
+            _ => x(end as f32 / last as f32),
+        };
+        look::badge(painter, pos2(at, y), end, true, visuals);
+    }
     let lit = scrubber.hovered() || scrubber.dragged();
-    painter.circle_filled(pos2(x(t), y), if lit { 10.0 } else { 9.0 }, visuals.text_color());
+    let colour = if blend.is_outside() { visuals.warn_fg_color } else { visuals.text_color() };
+    painter.circle_filled(pos2(x(blend.t), y), if lit { 10.0 } else { 9.0 }, colour);
     if scrubber.has_focus() {
-        painter.circle_stroke(pos2(x(t), y), 12.5, Stroke::new(1.5, visuals.selection.stroke.color));
+        painter.circle_stroke(pos2(x(blend.t), y), 12.5, Stroke::new(1.5, visuals.selection.stroke.color));
     }
     let text = FontId::proportional(10.5);
     for (t, name) in [(0.0, "0"), (0.25, "¼"), (0.5, "½"), (0.75, "¾"), (1.0, "1")] {
         painter.text(pos2(x(t) + 5.0, rect.bottom() - 5.0), Align2::LEFT_CENTER, name, text.clone(), quiet);
     }
+}
+
+/// Dashes: what lies here is more than a mixture.
+fn beyond(ui: &Ui, [left, right]: [f32; 2], y: f32) {
+    let stroke = Stroke::new(2.0, ui.visuals().warn_fg_color.gamma_multiply(0.7));
+    ui.painter().extend(Shape::dashed_line(&[pos2(left, y), pos2(right, y)], stroke, 5.0, 4.0));
 }

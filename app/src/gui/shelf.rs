@@ -1,12 +1,11 @@
 //! The left panel: every material, to be put at A or at B.
 
 use egui::text::{LayoutJob, TextWrapping};
-use egui::{
-    Color32, FontId, Key, Modifiers, Rect, Response, RichText, ScrollArea, Sense, TextEdit, Ui, WidgetInfo, pos2, vec2,
-};
+use egui::{Color32, FontId, Key, Rect, Response, RichText, ScrollArea, Sense, TextEdit, Ui, WidgetInfo, pos2, vec2};
 use nbrdf_core::{Database, Split};
 
-use super::{End, Gallery, Session, look};
+use super::session::letter;
+use super::{Gallery, Session, look};
 
 const ROW: f32 = 52.0;
 const THUMBNAIL: f32 = 44.0;
@@ -15,6 +14,8 @@ const THUMBNAIL: f32 = 44.0;
 pub struct Shelf<'a> {
     pub session: &'a mut Session,
     pub gallery: &'a Gallery,
+    /// Whether the search field is to have the focus.
+    pub is_searching: &'a mut bool,
 }
 
 impl Shelf<'_> {
@@ -22,7 +23,7 @@ impl Shelf<'_> {
         self.search(ui);
         ui.add_space(2.0);
         let listed: Vec<&str> =
-            self.gallery.names.iter().map(String::as_str).filter(|name| self.session.lists(name)).collect();
+            self.gallery.names.iter().map(String::as_str).filter(|name| self.session.listing.lists(name)).collect();
         if listed.is_empty() {
             ui.add_space(24.0);
             ui.vertical_centered(|ui| ui.label(RichText::new("No material has such a name.").weak()));
@@ -37,12 +38,12 @@ impl Shelf<'_> {
 
     fn search(&mut self, ui: &mut Ui) {
         let hint = format!("Search {} materials", self.gallery.names.len());
-        let field = TextEdit::singleline(&mut self.session.search)
+        let field = TextEdit::singleline(&mut self.session.listing.search)
             .hint_text(hint)
             .desired_width(f32::INFINITY)
             .margin(vec2(8.0, 6.0));
         let field = ui.add(field).on_hover_text("Words in any order (Ctrl+F)");
-        if ui.input_mut(|input| input.consume_key(Modifiers::COMMAND, Key::F)) {
+        if std::mem::take(self.is_searching) {
             field.request_focus();
         }
         ui.horizontal(|ui| {
@@ -55,7 +56,7 @@ impl Shelf<'_> {
                 (Some(Database::Other), "Own"),
             ];
             for (database, name) in choices.into_iter().take(if own { 4 } else { 3 }) {
-                ui.selectable_value(&mut self.session.database, database, name);
+                ui.selectable_value(&mut self.session.listing.database, database, name);
             }
         });
         ui.label(RichText::new("Click for A, shift-click for B").small().weak());
@@ -63,19 +64,18 @@ impl Shelf<'_> {
 
     fn row(&mut self, ui: &mut Ui, name: &str) {
         let (rect, row) = ui.allocate_exact_size(vec2(ui.available_width(), ROW), Sense::click());
-        let is_end = |session: &Session, end: End| session.ends[end as usize] == name;
-        let chosen = [End::A, End::B].map(|end| is_end(self.session, end));
+        let chosen = [0, 1].map(|end| self.session.blend.ends[end] == name);
         row.widget_info(|| WidgetInfo::selected(egui::Role::ListItem, true, chosen[0] || chosen[1], name));
         self.paint(ui, rect, &row, name, chosen);
         let mut choice = None;
-        for (place, end) in [End::A, End::B].into_iter().enumerate() {
-            let centre = rect.right_center() - vec2(44.0 - 26.0 * place as f32, 0.0);
+        for end in [0, 1] {
+            let centre = rect.right_center() - vec2(44.0 - 26.0 * end as f32, 0.0);
             let button = ui.put(Rect::from_center_size(centre, vec2(24.0, 24.0)), |ui: &mut Ui| {
                 ui.allocate_response(vec2(24.0, 24.0), Sense::click())
             });
-            let label = format!("{name} as {}", end.letter());
-            button.widget_info(|| WidgetInfo::selected(egui::Role::Button, true, chosen[place], &label));
-            let lit = chosen[place] || button.hovered() || button.has_focus();
+            let label = format!("{name} as {}", letter(end));
+            button.widget_info(|| WidgetInfo::selected(egui::Role::Button, true, chosen[end], &label));
+            let lit = chosen[end] || button.hovered() || button.has_focus();
             look::badge(ui.painter(), centre, end, lit, ui.visuals());
             if button.on_hover_text(label).clicked() {
                 choice = Some(end);
@@ -85,12 +85,12 @@ impl Shelf<'_> {
             ui.input(|input| (input.modifiers.shift, input.key_pressed(Key::A), input.key_pressed(Key::B)));
         let row = row.on_hover_text(name);
         if row.clicked() {
-            choice = Some(if shift { End::B } else { End::A });
+            choice = Some(usize::from(shift));
         } else if row.has_focus() && (a || b) {
-            choice = Some(if b { End::B } else { End::A });
+            choice = Some(usize::from(b));
         }
         if let Some(end) = choice {
-            self.session.choose(end, name);
+            self.session.blend.choose(end, name);
         }
     }
 

@@ -34,11 +34,11 @@ pub fn fit(available: Vec2, strips: usize) -> f32 {
 }
 
 impl Strips<'_> {
-    pub fn show(self, ui: &mut Ui, area: Rect) {
+    pub fn show(self, ui: &mut Ui) {
         let Self { session, gallery, frame } = self;
-        let count = session.methods.len();
+        let count = session.methods.0.len();
         let tall = height(count, frame) - 8.0;
-        let area = Rect::from_min_size(area.min, vec2(area.width(), tall));
+        let (area, _) = ui.allocate_exact_size(vec2(ui.available_width(), tall), Sense::hover());
         let painter = ui.painter().clone();
         let visuals = ui.visuals().clone();
         painter.rect(
@@ -52,11 +52,12 @@ impl Strips<'_> {
         let last = area.right() - 12.0 - frame / 2.0;
         let x = |t: f32| first + t * (last - first);
         // Behind the spheres, so that it hides none.
-        let bar = Rect::from_center_size(pos2(x(session.t), area.center().y), vec2(frame + 4.0, area.height() - 2.0));
+        let bar =
+            Rect::from_center_size(pos2(x(session.blend.t), area.center().y), vec2(frame + 4.0, area.height() - 2.0));
         painter.rect_filled(bar, look::ROUND, visuals.selection.bg_fill.gamma_multiply(0.5));
-        painter.vline(x(session.t), bar.y_range(), Stroke::new(1.5, visuals.selection.stroke.color));
+        painter.vline(x(session.blend.t), bar.y_range(), Stroke::new(1.5, visuals.selection.stroke.color));
         let mut chosen = None;
-        for (row, &method) in session.methods.iter().enumerate() {
+        for (row, &method) in session.methods.0.iter().enumerate() {
             let y = area.top() + TOP + frame / 2.0 + row as f32 * (frame + GAP);
             let title = Catalog::interpolation_entry(method).map_or(method, |entry| entry.title);
             let at = pos2(area.left() + 12.0, y);
@@ -82,7 +83,7 @@ impl Strips<'_> {
             }
         }
         if let Some(t) = chosen {
-            session.go_to(t);
+            session.blend.go_to(t);
         }
     }
 }

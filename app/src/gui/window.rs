@@ -8,13 +8,26 @@ use eframe::NativeOptions;
 use egui::{ColorImage, Ui, ViewportBuilder, ViewportCommand};
 use nbrdf_core::{Image, Rgb, image::DISPLAY_GAMMA};
 
-use super::{App, Session, Workbench};
+use super::{App, Layout, Session, Workbench};
 use crate::worker::Stock;
 
+/// What the window opens with.
+#[derive(Default)]
+pub struct Opening {
+    pub session: Session,
+    pub layout: Layout,
+    /// Size \[points\].
+    pub size: Option<[f32; 2]>,
+    /// Where the session is kept.
+    pub file: Option<PathBuf>,
+    /// Something to tell at once.
+    pub notice: Option<String>,
+}
+
 /// Opens the window; returns when it is closed.
-pub fn open(app: App, session: Session) -> eframe::Result {
+pub fn open(app: App, opening: Opening) -> eframe::Result {
     let start = Instant::now();
-    let [width, height] = app.size.unwrap_or([1280, 800]).map(f32::from);
+    let [width, height] = opening.size.unwrap_or([1280.0, 800.0]).map(|side| side.max(480.0));
     let viewport = ViewportBuilder::default()
         .with_title("nbrdf")
         .with_app_id("nbrdf")
@@ -23,10 +36,16 @@ pub fn open(app: App, session: Session) -> eframe::Result {
     let options =
         NativeOptions { viewport, centered: true, dithering: app.screenshot.is_none(), ..NativeOptions::default() };
     let create = move |_: &eframe::CreationContext| {
-        let workbench = Workbench::new(Stock::built_in(), session);
+        let mut workbench = Workbench::new(Stock::built_in(), opening.session);
+        workbench.layout = opening.layout;
+        opening.notice.into_iter().for_each(|notice| workbench.gallery.notify(notice));
+        let workbench = match opening.file {
+            Some(file) => workbench.keeping(file),
+            None => workbench,
+        };
         app.files.iter().for_each(|file| workbench.open(file.clone()));
         let camera = app.screenshot.map(Camera::new);
-        Ok(Box::new(Window { workbench, camera, start, frames: 0 }) as Box<dyn eframe::App>)
+        Ok(Box::new(Window { workbench, camera, start, frames: 0, size: None }) as Box<dyn eframe::App>)
     };
     eframe::run_native("nbrdf", options, Box::new(create))
 }
@@ -36,6 +55,8 @@ struct Window {
     camera: Option<Camera>,
     start: Instant,
     frames: u32,
+    /// Of what is within the window \[points\].
+    size: Option<[f32; 2]>,
 }
 
 impl eframe::App for Window {
@@ -49,6 +70,12 @@ impl eframe::App for Window {
         if let Some(camera) = &mut self.camera {
             camera.watch(ui, &self.workbench, self.start);
         }
+        let size = ui.ctx().content_rect().size();
+        self.size = Some([size.x, size.y]);
+    }
+
+    fn on_exit(&mut self, _: Option<&eframe::glow::Context>) {
+        self.workbench.finish(self.size);
     }
 }
 

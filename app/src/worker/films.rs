@@ -5,19 +5,25 @@ use std::sync::Arc;
 use std::time::{Duration, Instant};
 
 use nbrdf_core::render::{Light, METRIC_SIZE, Sphere};
-use nbrdf_core::{Brdf, Image};
+use nbrdf_core::{Brdf, Image, Weights};
 
-use super::{Card, Lighting, guarded};
+use super::{Card, Scenery, Timing, guarded};
 
 /// Spheres kept: one light for each of a few sizes.
 const KEPT: usize = 4;
 
-/// What a picture shows: card, ends, t of a method.
-pub(super) type Subject = (Card, [String; 2], u32);
+/// What a picture shows: an end, or a point of a method's path.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Subject {
+    pub card: Card,
+    pub ends: Arc<[String]>,
+    /// Where between the ends, and how t runs; none of an end.
+    pub point: Option<(Weights, Timing)>,
+}
 
 /// The pictures: of each card one in the size of the metrics, and one in another.
 pub(super) struct Films {
-    spheres: HashMap<usize, (Lighting, Arc<Sphere>)>,
+    spheres: HashMap<usize, (Scenery, Arc<Sphere>)>,
     films: HashMap<(Card, usize), Film>,
     /// Running mean of seconds per pixel and lamp.
     pace: f64,
@@ -25,7 +31,7 @@ pub(super) struct Films {
 
 struct Film {
     /// What it shows, once it is whole.
-    shows: Option<(Subject, Lighting)>,
+    shows: Option<(Subject, Scenery)>,
     image: Image,
 }
 
@@ -51,32 +57,32 @@ impl Films {
         &mut self,
         subject: &Subject,
         point: &dyn Brdf,
-        (lighting, light): (Lighting, &Light),
+        (scenery, light): (Scenery, &Light),
         size: usize,
     ) -> Result<(), String> {
-        let card = subject.0;
-        let sphere = self.sphere(lighting, light, size);
+        let card = subject.card;
+        let sphere = self.sphere(scenery, light, size);
         if size != METRIC_SIZE {
             self.films.retain(|(other, of), _| *other != card || *of == METRIC_SIZE || *of == size);
         }
         let new = || Film { shows: None, image: Image::black(size, size) };
         let film = self.films.entry((card, size)).or_insert_with(new);
-        if film.shows.as_ref().is_some_and(|(shown, under)| (shown, *under) == (subject, lighting)) {
+        if film.shows.as_ref().is_some_and(|(shown, under)| (shown, *under) == (subject, scenery)) {
             return Ok(());
         }
         let start = Instant::now();
         // A picture that is not finished is none of anything.
         film.shows = None;
         guarded("Rendering", || sphere.render_into(point, &mut film.image))?;
-        film.shows = Some((subject.clone(), lighting));
+        film.shows = Some((subject.clone(), scenery));
         self.pace = 0.8 * self.pace + 0.2 * start.elapsed().as_secs_f64() / work(size, light);
         Ok(())
     }
 
     /// The geometry.
-    pub fn sphere(&mut self, lighting: Lighting, light: &Light, size: usize) -> Arc<Sphere> {
+    pub fn sphere(&mut self, scenery: Scenery, light: &Light, size: usize) -> Arc<Sphere> {
         if let Some((known, sphere)) = self.spheres.get(&size)
-            && *known == lighting
+            && *known == scenery
         {
             return Arc::clone(sphere);
         }
@@ -84,7 +90,7 @@ impl Films {
             self.spheres.clear();
         }
         let sphere = Arc::new(Sphere::new(size, light));
-        self.spheres.insert(size, (lighting, Arc::clone(&sphere)));
+        self.spheres.insert(size, (scenery, Arc::clone(&sphere)));
         sphere
     }
 }

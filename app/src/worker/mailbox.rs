@@ -13,11 +13,15 @@ struct Slot<T> {
     newest: Option<T>,
     is_unread: bool,
     is_closed: bool,
+    is_finished: bool,
 }
 
 impl<T> Default for Mailbox<T> {
     fn default() -> Self {
-        Self { slot: Mutex::new(Slot { newest: None, is_unread: false, is_closed: false }), bell: Condvar::new() }
+        Self {
+            slot: Mutex::new(Slot { newest: None, is_unread: false, is_closed: false, is_finished: false }),
+            bell: Condvar::new(),
+        }
     }
 }
 
@@ -37,14 +41,13 @@ impl<T: Clone> Mailbox<T> {
         self.bell.notify_all();
     }
 
-    /// Waits for an unread value; none once the mailbox is closed.
+    /// Waits for an unread value; none once the mailbox is closed, or finished and everything is read.
     pub fn take(&self) -> Option<T> {
-        let mut slot = self.lock();
-        while !slot.is_unread && !slot.is_closed {
-            slot = self.bell.wait(slot).unwrap_or_else(PoisonError::into_inner);
-        }
+        let is_waiting = |slot: &mut Slot<T>| !slot.is_unread && !slot.is_closed && !slot.is_finished;
+        let mut slot = self.bell.wait_while(self.lock(), is_waiting).unwrap_or_else(PoisonError::into_inner);
+        let is_read = slot.is_closed || !slot.is_unread;
         slot.is_unread = false;
-        if slot.is_closed { None } else { slot.newest.clone() }
+        if is_read { None } else { slot.newest.clone() }
     }
 
     /// Whether something newer than the last value taken is there.
@@ -57,6 +60,12 @@ impl<T: Clone> Mailbox<T> {
     pub fn stays_quiet(&self, patience: Duration) -> bool {
         let waited = self.bell.wait_timeout_while(self.lock(), patience, |slot| !slot.is_unread && !slot.is_closed);
         waited.unwrap_or_else(PoisonError::into_inner).1.timed_out()
+    }
+
+    /// Nothing will be put in any more: its reader may go once it has read the last letter.
+    pub fn finish(&self) {
+        self.lock().is_finished = true;
+        self.bell.notify_all();
     }
 
     /// Ends all waiting.
@@ -91,5 +100,13 @@ mod tests {
         let mailbox = Mailbox::<u8>::default();
         mailbox.close();
         assert_eq!(mailbox.take(), None);
+    }
+
+    #[test]
+    fn the_last_letter_of_a_finished_mailbox_is_read() {
+        let mailbox = Mailbox::default();
+        mailbox.put(1);
+        mailbox.finish();
+        assert_eq!([mailbox.take(), mailbox.take()], [Some(1), None]);
     }
 }

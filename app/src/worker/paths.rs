@@ -4,13 +4,22 @@ use std::collections::HashMap;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 use anyhow::{Context, Result};
-use nbrdf_core::Path;
+use nbrdf_core::path::even::Even;
+use nbrdf_core::{Interpolation as _, Path};
 
-use super::{Answer, Office, guarded};
+use super::{Answer, Office, Timing, guarded};
 use crate::catalog::Catalog;
 
-/// Two ends and a method.
-pub type Key = ([String; 2], &'static str);
+/// What a path is prepared from.
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub struct Key {
+    /// Names of the ends.
+    pub ends: Arc<[String]>,
+    /// Catalog name of the interpolation.
+    pub method: &'static str,
+    /// How t runs.
+    pub timing: Timing,
+}
 
 /// Paths kept at most; they are small, so this only bounds a long day's work.
 const KEPT: usize = 256;
@@ -54,7 +63,7 @@ pub(super) fn run(office: &Office) {
             if office.paths.get(&key).is_some() {
                 continue;
             }
-            let title = title(key.1);
+            let title = title(key.method);
             office.say(Answer::Preparing(Some(title)));
             let prepared = match guarded(title, || prepare(office, &key)) {
                 Ok(Ok(path)) => Prepared::Ready(path),
@@ -74,11 +83,15 @@ pub(super) fn run(office: &Office) {
     }
 }
 
-fn prepare(office: &Office, (ends, method): &Key) -> Result<Arc<dyn Path>> {
+fn prepare(office: &Office, Key { ends, method, timing }: &Key) -> Result<Arc<dyn Path>> {
     let find = |name: &String| office.material(name).with_context(|| format!("no material `{name}`"));
-    let ends = [find(&ends[0])?, find(&ends[1])?];
+    let ends: Vec<_> = ends.iter().map(find).collect::<Result<_>>()?;
     let interpolation = (office.stock.interpolation)(method)?;
-    Ok(Arc::from(interpolation.between(&ends)?))
+    let path = match timing {
+        Timing::Straight => interpolation.between(&ends)?,
+        Timing::Even => Even::new(method, interpolation).between(&ends)?,
+    };
+    Ok(Arc::from(path))
 }
 
 /// Name of a method for people.

@@ -10,11 +10,11 @@ use nbrdf_core::{Brdf, Path, Weights};
 
 use super::figures::Seen;
 use super::films::{Films, Subject};
-use super::paths::Prepared;
+use super::paths::{Key, Prepared};
 use super::spheres::Sent;
 use super::strips::Strip;
 use super::surround::Lobes;
-use super::{Answer, Card, Lighting, Office, Request, guarded};
+use super::{Answer, Card, Office, Request, Scenery, guarded};
 
 /// How long nothing new must come before finer pictures are rendered.
 pub(super) const QUIET: Duration = Duration::from_millis(60);
@@ -32,7 +32,7 @@ pub(super) struct Studio {
     pub strips: HashMap<Card, Strip>,
     pub seen: Vec<Seen>,
     /// What the user was told about these ends; nobody wants to dismiss it twice.
-    told: ([String; 2], HashSet<String>),
+    told: (Arc<[String]>, HashSet<String>),
     pub lobes: Lobes,
 }
 
@@ -46,7 +46,7 @@ pub(super) fn run(office: Office) {
         sent: HashMap::new(),
         strips: HashMap::new(),
         seen: Vec::new(),
-        told: Default::default(),
+        told: (Arc::new([]), HashSet::new()),
         lobes: HashMap::new(),
     };
     while let Some((number, request)) = requests.take() {
@@ -65,7 +65,7 @@ impl Studio {
     /// Whether everything there is to show was shown.
     fn show(&mut self, request: &Request) -> bool {
         let Some((subjects, pending)) = self.gather(request) else { return true };
-        let is_shown = match request.lighting.lamps() {
+        let is_shown = match request.scenery.lighting.lamps() {
             Some(light) => self.under_lamps(&subjects, request, &light),
             None => self.surrounded(&subjects, request),
         };
@@ -78,7 +78,8 @@ impl Studio {
         let ends = &request.ends;
         let mut found: Vec<Subject> = Vec::new();
         let mut parts = Vec::new();
-        for (card, name) in [Card::A, Card::B].into_iter().zip(ends) {
+        for ((end, name), &weight) in ends.iter().enumerate().zip(request.weights.as_slice()) {
+            let card = Card::End(end);
             let Some(material) = self.office.material(name) else {
                 let why = format!("There is no material `{name}`; choose one from the list.");
                 self.withdraw(card, Answer::Failed(card, why.clone()));
@@ -86,11 +87,10 @@ impl Studio {
                 continue;
             };
             self.points.insert(card, Box::new(Mixed::new(Mix::Linear, vec![(1.0, Arc::clone(&material.brdf))])));
-            let weight = if card == Card::A { 1.0 - request.t } else { request.t };
             parts.push((weight, material.brdf));
-            found.push((card, [name.clone(), String::new()], 0));
+            found.push(Subject { card, ends: Arc::new([name.clone()]), point: None });
         }
-        if found.len() < 2 {
+        if found.len() < ends.len() {
             return None;
         }
         let parts = parts.into_iter().filter(|(weight, _)| *weight != 0.0).collect();
@@ -98,10 +98,13 @@ impl Studio {
         let mut wanted = Vec::new();
         for &method in &request.methods {
             let card = Card::Method(method);
-            let key = (ends.clone(), method);
+            let key = Key { ends: Arc::clone(ends), method, timing: request.timing };
             match self.office.paths.get(&key) {
-                Some(Prepared::Ready(path)) => match self.move_to(card, path.as_ref(), request.t) {
-                    Ok(()) => found.push((card, ends.clone(), request.t.to_bits())),
+                Some(Prepared::Ready(path)) => match self.move_to(card, path.as_ref(), &request.weights) {
+                    Ok(()) => {
+                        let point = Some((request.weights.clone(), request.timing));
+                        found.push(Subject { card, ends: Arc::clone(ends), point });
+                    }
                     Err(why) => self.withdraw(card, Answer::Failed(card, why)),
                 },
                 Some(Prepared::Failed(why)) => self.withdraw(card, Answer::Failed(card, why)),
@@ -118,12 +121,11 @@ impl Studio {
         Some((found, pending))
     }
 
-    /// Puts a card's point at t: in place, where there is one.
-    fn move_to(&mut self, card: Card, path: &dyn Path, t: f32) -> Result<(), String> {
-        let weights = Weights::two(t);
+    /// Puts a card's point at these weights: in place, where there is one.
+    fn move_to(&mut self, card: Card, path: &dyn Path, weights: &Weights) -> Result<(), String> {
         let moved = guarded("The path", || match self.points.get_mut(&card) {
-            Some(point) => path.move_to(&weights, point),
-            None => path.at(&weights).map(|point| drop(self.points.insert(card, point))),
+            Some(point) => path.move_to(weights, point),
+            None => path.at(weights).map(|point| drop(self.points.insert(card, point))),
         })?;
         moved.map_err(|error| error.to_string())
     }
@@ -134,8 +136,8 @@ impl Studio {
     }
 
     /// Renders a subject's present point, unless that picture is there.
-    pub fn render(&mut self, subject: &Subject, lamps: (Lighting, &Light), size: usize) -> Result<(), String> {
-        let point = self.points.get(&subject.0).ok_or("there is no such material")?;
+    pub fn render(&mut self, subject: &Subject, lamps: (Scenery, &Light), size: usize) -> Result<(), String> {
+        let point = self.points.get(&subject.card).ok_or("there is no such material")?;
         self.films.render(subject, point.as_ref(), lamps, size)
     }
 
@@ -147,9 +149,9 @@ impl Studio {
     }
 
     /// A notice, once for these ends.
-    pub fn tell(&mut self, ends: &[String; 2], why: String) {
+    pub fn tell(&mut self, ends: &Arc<[String]>, why: String) {
         if self.told.0 != *ends {
-            self.told = (ends.clone(), HashSet::new());
+            self.told = (Arc::clone(ends), HashSet::new());
         }
         if self.told.1.insert(why.clone()) {
             self.office.say(Answer::Notice(why));

@@ -2,6 +2,7 @@
 
 use std::collections::HashMap;
 
+use nbrdf_core::Weights;
 use nbrdf_core::render::{METRIC_SIZE, Progressive};
 use nbrdf_core::sampler::lobe::Lobe;
 
@@ -23,10 +24,10 @@ pub(super) type Lobes = HashMap<String, Lobe>;
 impl Studio {
     /// Renders the spheres, better and better, and the film strips in between; whether it came to the end.
     pub fn surrounded(&mut self, subjects: &[Subject], request: &Request) -> bool {
-        let Lighting::Around { map, turn } = request.lighting else { return true };
+        let Lighting::Around { map, turn } = request.scenery.lighting else { return true };
         // Lamps start anew afterwards.
         self.sent.clear();
-        let cards: Vec<Card> = subjects.iter().map(|subject| subject.0).collect();
+        let cards: Vec<Card> = subjects.iter().map(|subject| subject.card).collect();
         let environment = self.office.map(map).rotated(f64::from(turn));
         let lobes: Vec<Lobe> = cards.iter().map(|card| self.lobe(*card, request)).collect();
         for card in &cards {
@@ -54,8 +55,8 @@ impl Studio {
                     index += 1;
                 }
                 if pass == DECENT
-                    && !self.roll(request, |studio, t, brdf| {
-                        let lobe = studio.mixed_lobe(t, request);
+                    && !self.roll(request, |studio, weights, brdf| {
+                        let lobe = studio.mixed_lobe(weights, request);
                         let mut picture = Progressive::new(request.strip, environment.clone(), 0);
                         (0..DECENT).for_each(|_| picture.pass(brdf, &lobe));
                         picture.image()
@@ -84,23 +85,27 @@ impl Studio {
     /// never truth.
     fn lobe(&mut self, card: Card, request: &Request) -> Lobe {
         match card {
-            Card::A | Card::B => self.fitted(card, request),
-            Card::Method(_) => self.mixed_lobe(request.t, request),
+            Card::End(end) => self.fitted(end, request),
+            Card::Method(_) => self.mixed_lobe(&request.weights, request),
         }
     }
 
-    fn mixed_lobe(&mut self, t: f32, request: &Request) -> Lobe {
-        let [a, b] = [Card::A, Card::B].map(|end| self.fitted(end, request).coordinates());
-        Lobe::from_coordinates([0, 1].map(|i| a[i] + f64::from(t) * (b[i] - a[i])))
+    fn mixed_lobe(&mut self, weights: &Weights, request: &Request) -> Lobe {
+        let mut mixed = [0.0; 2];
+        for (end, &weight) in weights.as_slice().iter().enumerate() {
+            let own = self.fitted(end, request).coordinates();
+            mixed.iter_mut().zip(own).for_each(|(sum, own)| *sum += f64::from(weight) * own);
+        }
+        Lobe::from_coordinates(mixed)
     }
 
-    fn fitted(&mut self, end: Card, request: &Request) -> Lobe {
-        let name = &request.ends[usize::from(end == Card::B)];
+    fn fitted(&mut self, end: usize, request: &Request) -> Lobe {
+        let name = &request.ends[end];
         if let Some(known) = self.lobes.get(name) {
             return *known;
         }
         let fit = |point| guarded("The lobe", || Lobe::fit(point)).unwrap_or(Lobe::COSINE);
-        let lobe = self.point(end).map_or(Lobe::COSINE, fit);
+        let lobe = self.point(Card::End(end)).map_or(Lobe::COSINE, fit);
         self.lobes.insert(name.clone(), lobe);
         lobe
     }

@@ -3,7 +3,7 @@
 use super::{Interpolation, Path, PathError, Weights};
 use crate::metric::ItpImage;
 use crate::render::{Light, Sphere};
-use crate::{Brdf, Code, Image, Material};
+use crate::{Brdf, Code, Image, Material, Warning};
 
 /// Pieces that the length of a path is summed over.
 const PIECES: usize = 32;
@@ -56,6 +56,10 @@ impl Path for EvenPath {
 
     fn move_to(&self, weights: &Weights, point: &mut Box<dyn Brdf>) -> Result<(), PathError> {
         self.path.move_to(&self.clock.set(weights)?, point)
+    }
+
+    fn warnings(&self, weights: &Weights) -> Result<Vec<Warning>, PathError> {
+        self.path.warnings(&self.clock.set(weights)?)
     }
 }
 

@@ -1,0 +1,113 @@
+//! Undo and redo: what the session was before, step by step.
+
+use super::Session;
+
+/// Steps kept.
+const KEPT: usize = 200;
+
+/// The past and the undone future of a session.
+pub struct History {
+    past: Vec<Session>,
+    present: Session,
+    future: Vec<Session>,
+}
+
+impl History {
+    /// Nothing has happened yet.
+    pub fn new(session: &Session) -> Self {
+        Self { past: Vec::new(), present: still(session), future: Vec::new() }
+    }
+
+    /// Takes note of a change, once it is complete: a drag, a playing path or a word being typed is one step.
+    pub fn watch(&mut self, session: &Session, is_complete: bool) {
+        if !is_complete || session.blend.playing.is_some() || is_same(session, &self.present) {
+            return;
+        }
+        if self.past.len() >= KEPT {
+            self.past.remove(0);
+        }
+        self.past.push(std::mem::replace(&mut self.present, still(session)));
+        self.future.clear();
+    }
+
+    /// Whether there is something to undo, and to redo.
+    pub fn ways(&self) -> [bool; 2] {
+        [!self.past.is_empty(), !self.future.is_empty()]
+    }
+
+    /// One step back.
+    pub fn undo(&mut self, session: &mut Session) {
+        // What is going on is a step of its own.
+        self.watch(&still(session), true);
+        if let Some(before) = self.past.pop() {
+            self.future.push(std::mem::replace(&mut self.present, before));
+            self.restore(session);
+        }
+    }
+
+    /// One step on again.
+    pub fn redo(&mut self, session: &mut Session) {
+        if let Some(after) = self.future.pop() {
+            self.past.push(std::mem::replace(&mut self.present, after));
+            self.restore(session);
+        }
+    }
+
+    /// All but what is looked for in the list: nobody wants a word they typed to go away with a slider.
+    fn restore(&self, session: &mut Session) {
+        let search = std::mem::take(&mut session.listing.search);
+        *session = self.present.clone();
+        session.listing.search = search;
+    }
+}
+
+fn still(session: &Session) -> Session {
+    let mut session = session.clone();
+    session.blend.playing = None;
+    session.listing.search.clear();
+    session
+}
+
+fn is_same(session: &Session, present: &Session) -> bool {
+    // Cheap first: this is asked in every frame.
+    session.blend == present.blend && still(session) == *present
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_drag_is_one_step_and_comes_back() {
+        let mut session = Session::default();
+        let mut history = History::new(&session);
+        for t in [0.6, 0.7, 0.8] {
+            session.blend.go_to(t);
+            history.watch(&session, false);
+        }
+        history.watch(&session, true);
+        session.look.exposure = 1.0;
+        history.watch(&session, true);
+        session.listing.search = "blue".to_owned();
+        history.undo(&mut session);
+        assert_eq!((session.blend.t, session.look.exposure), (0.8, 0.0));
+        history.undo(&mut session);
+        assert_eq!((session.blend.t, session.listing.search.as_str()), (0.5, "blue"));
+        assert_eq!(history.ways(), [false, true]);
+        history.redo(&mut session);
+        history.redo(&mut session);
+        assert_eq!((session.blend.t, session.look.exposure), (0.8, 1.0));
+    }
+
+    #[test]
+    fn something_new_ends_what_could_be_redone() {
+        let mut session = Session::default();
+        let mut history = History::new(&session);
+        session.blend.go_to(0.1);
+        history.undo(&mut session);
+        assert_eq!(session.blend.t, 0.5, "a change that is still going on is undone, too");
+        session.blend.go_to(0.9);
+        history.watch(&session, true);
+        assert_eq!(history.ways(), [true, false]);
+    }
+}

@@ -1,0 +1,98 @@
+//! How materials are looked at: light and exposure.
+
+use nbrdf_core::Vec3;
+use serde::{Deserialize, Serialize};
+
+use crate::worker::{Lighting, Scenery};
+
+/// Exposure goes this many stops either way.
+pub const MAX_EXPOSURE: f32 = 4.0;
+
+/// The lamp of light `point`: 45° to the right.
+pub const LAMP: Lighting =
+    Lighting::Point(Vec3::new(std::f32::consts::FRAC_1_SQRT_2, 0.0, std::f32::consts::FRAC_1_SQRT_2));
+
+/// How materials are looked at.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct Look {
+    /// What they are seen on, and in which light.
+    pub scenery: Scenery,
+    /// Exposure in stops.
+    pub exposure: f32,
+}
+
+impl Default for Look {
+    fn default() -> Self {
+        Self { scenery: Scenery { lighting: Lighting::Studio }, exposure: 0.0 }
+    }
+}
+
+impl Look {
+    /// Moves the point light so that a mirror sphere shows it at `x` (right), `y` (up), in radii from the middle.
+    pub fn point_at(&mut self, x: f32, y: f32) {
+        // Further out the lamp would stand behind the sphere and show nothing.
+        let scale = 0.75 / x.hypot(y).max(0.75);
+        let (x, y) = (x * scale, y * scale);
+        let z = (1.0 - x * x - y * y).sqrt();
+        self.scenery.lighting = Lighting::Point(Vec3::new(2.0 * z * x, 2.0 * z * y, 2.0 * z * z - 1.0));
+    }
+
+    /// Turns the map that surrounds the spheres by so many radii of a sphere; false where there is none.
+    pub fn turn_by(&mut self, radii: f32) -> bool {
+        let Lighting::Around { turn, .. } = &mut self.scenery.lighting else { return false };
+        // Half a sphere across is a quarter of a turn; the far side is reached by going on.
+        let around = std::f32::consts::TAU;
+        *turn = (*turn + radii * std::f32::consts::FRAC_PI_2 + 0.5 * around).rem_euclid(around) - 0.5 * around;
+        true
+    }
+
+    /// Where a mirror sphere shows the point light, in radii from the middle, if there is one.
+    pub fn highlight(&self) -> Option<[f32; 2]> {
+        let Lighting::Point(direction) = self.scenery.lighting else { return None };
+        let half = (direction.normalize() + Vec3::Z).normalize();
+        Some([half.x, half.y])
+    }
+
+    /// Studio, point, then one map after the other.
+    pub fn next_light(&mut self, maps: usize) {
+        self.scenery.lighting = match self.scenery.lighting {
+            Lighting::Studio => LAMP,
+            Lighting::Point(_) => Lighting::Around { map: 0, turn: 0.0 },
+            Lighting::Around { map, .. } if map + 1 < maps => Lighting::Around { map: map + 1, turn: 0.0 },
+            Lighting::Around { .. } => Lighting::Studio,
+        };
+    }
+
+    /// Whether light comes from all around, which is too grainy for figures.
+    pub fn is_around(&self) -> bool {
+        matches!(self.scenery.lighting, Lighting::Around { .. })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_highlight_follows_the_pointer() {
+        let mut look = Look::default();
+        look.point_at(0.3, -0.4);
+        let [x, y] = look.highlight().unwrap();
+        assert!((x - 0.3).abs() < 1e-5 && (y + 0.4).abs() < 1e-5);
+        look.point_at(5.0, 0.0);
+        assert!((look.highlight().unwrap()[0] - 0.75).abs() < 1e-5);
+    }
+
+    #[test]
+    fn dragging_turns_a_map_and_never_beyond_half_a_turn() {
+        let mut look =
+            Look { scenery: Scenery { lighting: Lighting::Around { map: 0, turn: 0.0 } }, ..Look::default() };
+        for (radii, quarters) in [(1.0, 1.0), (2.0, -1.0)] {
+            assert!(look.turn_by(radii));
+            let Lighting::Around { turn, .. } = look.scenery.lighting else { panic!("{:?}", look.scenery.lighting) };
+            assert!((turn - quarters * std::f32::consts::FRAC_PI_2).abs() < 1e-5, "{turn}");
+        }
+        assert!(!Look::default().turn_by(1.0));
+    }
+}
