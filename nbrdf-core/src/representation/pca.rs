@@ -57,6 +57,9 @@ pub enum PcaError {
     NoConvergence,
 }
 
+/// Numbers that are combined at once: they stay in the cache.
+const PIECE: usize = 4096;
+
 impl Pca {
     /// Learns `count` components from `rows` of equal length. Those a thousand times smaller than the first are rounding.
     pub fn learn(rows: Vec<Vec<f32>>, count: usize) -> Result<Self, PcaError> {
@@ -89,9 +92,8 @@ impl Pca {
         let mean = centre.of(&rows);
         subtract(&mut rows, &mean);
         let weights = component_weights(&gram(&rows, dot), count)?;
-        let zero = vec![0.0; mean.len()];
-        let component = |weights: &Vec<f32>| with_fixed_sign(combine(&zero, weights, &rows));
-        Ok(Self { components: weights.par_iter().map(component).collect(), mean })
+        combine_in_place(&weights, &mut rows);
+        Ok(Self { components: rows.into_par_iter().map(with_fixed_sign).collect(), mean })
     }
 
     /// Bytes of mean and components.
@@ -149,17 +151,42 @@ fn with_fixed_sign(mut component: Vec<f32>) -> Vec<f32> {
 
 /// `base + Σ weight · row`, in pieces that stay in the cache.
 fn combine(base: &[f32], weights: &[f32], rows: &[Vec<f32>]) -> Vec<f32> {
-    const PIECE: usize = 4096;
     let mut out = base.to_vec();
     out.par_chunks_mut(PIECE).enumerate().for_each(|(piece, out)| {
-        let start = piece * PIECE;
-        for (&weight, row) in weights.iter().zip(rows) {
-            for (out, v) in out.iter_mut().zip(&row[start..]) {
-                *out += weight * v;
-            }
-        }
+        add_up(out, weights, rows.iter().map(|row| &row[piece * PIECE..]));
     });
     out
+}
+
+/// Adds `Σ weight · row` to numbers, row after row.
+fn add_up<'a>(out: &mut [f32], weights: &[f32], rows: impl Iterator<Item = &'a [f32]>) {
+    for (&weight, row) in weights.iter().zip(rows) {
+        out.iter_mut().zip(row).for_each(|(out, v)| *out += weight * v);
+    }
+}
+
+/// Puts each of a few sums `Σ weight · row` in the place of a row and lets the other rows go: tables are large, and sums
+/// beside them would take as much again. The same bits as [`combine`] from zero.
+fn combine_in_place(weights: &[Vec<f32>], rows: &mut Vec<Vec<f32>>) {
+    let mut pieces: Vec<Vec<&mut [f32]>> = Vec::new();
+    for (place, row) in rows.iter_mut().enumerate() {
+        for (piece, part) in row.chunks_mut(PIECE).enumerate() {
+            if place == 0 {
+                pieces.push(Vec::with_capacity(weights.len()));
+            }
+            pieces[piece].push(part);
+        }
+    }
+    pieces.into_par_iter().for_each(|mut parts| {
+        let sum = |weights: &Vec<f32>| {
+            let mut out = vec![0.0; parts[0].len()];
+            add_up(&mut out, weights, parts.iter().map(|part| &**part));
+            out
+        };
+        let sums: Vec<Vec<f32>> = weights.iter().map(sum).collect();
+        parts.iter_mut().zip(sums).for_each(|(part, sum)| part.copy_from_slice(&sum));
+    });
+    rows.truncate(weights.len());
 }
 
 fn mean(rows: &[Vec<f32>]) -> Vec<f32> {

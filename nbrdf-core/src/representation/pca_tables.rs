@@ -25,8 +25,8 @@ pub struct PcaOptions {
     /// Kind of the tables' numbers.
     pub values: Values,
     /// Cells of the tables. The basis takes 4 bytes × [`numbers`](Grid::numbers) × (components + 1): 76 MB for 32 over the
-    /// coarse grid, 0.8 GB for 45 over that of MERL. Tables of the training materials are held beside it over the coarse
-    /// grid (2.3 MB each), and come piece by piece over that of MERL: 0.9 GB for 45 of 80 materials, instead of 2.2; as much
+    /// coarse grid, 0.8 GB for 45 over that of MERL. Over the coarse grid it is made in the place of
+    /// the training materials' tables (2.3 MB each); these come piece by piece over that of MERL: 0.9 GB for 45 of 80 materials, instead of 2.2; as much
     /// again where it is read from a file, and twice as much while it is written.
     pub grid: Grid,
 }

@@ -44,6 +44,17 @@ fn a_component_far_smaller_than_another_is_still_one() {
 }
 
 #[test]
+fn sums_in_the_place_of_rows_are_those_beside_them() {
+    let row = |i: usize| (0..2 * PIECE + 5).map(|k| ((i * 31 + k) as f32).sin()).collect();
+    let mut rows: Vec<Vec<f32>> = (0..5).map(row).collect();
+    let weights: Vec<Vec<f32>> = (0..3).map(|k| (0..5).map(|i| ((k * 7 + i) as f32).cos()).collect()).collect();
+    let zero = vec![0.0; rows[0].len()];
+    let beside: Vec<Vec<f32>> = weights.iter().map(|weights| combine(&zero, weights, &rows)).collect();
+    combine_in_place(&weights, &mut rows);
+    assert_eq!(rows, beside);
+}
+
+#[test]
 fn as_many_components_as_materials_are_refused() {
     assert!(matches!(Pca::learn(rows(), 12), Err(PcaError::TooFew { components: 12, found: 12 })));
 }
