@@ -38,6 +38,9 @@ say "tests (Rust)"
 # shares the build.
 cargo test --release --workspace
 
+say "the window"
+if [ "$(uname)" = Linux ]; then scripts/smoke.sh; else echo "SKIPPED: a window without a display is opened under Xvfb, on Linux"; fi
+
 say "lints"
 cargo clippy --release --workspace --all-targets -- -D warnings
 

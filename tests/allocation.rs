@@ -5,7 +5,9 @@ use std::time::Duration;
 
 use dhat::{Alloc, HeapStats, Profiler};
 use nbrdf::catalog::{Catalog, Reference};
-use nbrdf::worker::{Answer, Card, Lighting, Request, Scenery, Stock, Timing, Worker};
+use nbrdf::gui::session::Methods;
+use nbrdf::gui::{Session, Workbench};
+use nbrdf::worker::{Answer, Card, Lighting, Request, Scenery, Stock, Timing, Walk, Worker};
 use nbrdf_core::Weights;
 use nbrdf_core::library::builtin;
 use nbrdf_core::render::{Scrub, Sphere};
@@ -59,14 +61,18 @@ fn the_apps_threads_allocate_no_picture_per_frame() {
     let mut worker = Worker::start(stock, || ());
     let plates = worker.plates();
     let mut request = Request {
+        explored: None,
         ends: Arc::new(["gold-paint".to_owned(), "blue-acrylic".to_owned()]),
         weights: Weights::two(0.0),
         timing: Timing::Straight,
+        walk: Walk::default(),
         methods: vec!["latent", "raw_weights"],
-        scenery: Scenery { lighting: Lighting::Point(nbrdf_core::Vec3::new(0.0, 0.6, 0.8)) },
+        scenery: Scenery::of(Lighting::Point(nbrdf_core::Vec3::new(0.0, 0.6, 0.8))),
         exposure: 0.5,
+        tone: nbrdf_core::image::Tone::Clip,
         size: 256,
         strip: 0,
+        closeup: None,
     };
     let mut frames = |count: usize| {
         let (mut pictures, mut figures) = (0, 0);
@@ -103,4 +109,36 @@ fn the_apps_threads_allocate_no_picture_per_frame() {
     // On a busy machine what threads make once (thumbnails, workspaces) may fall into the first rounds.
     let per_frame = [(); 3].map(|()| round());
     assert!(per_frame.into_iter().any(|bytes| bytes < 16 * 1024), "{per_frame:?} bytes per frame");
+}
+
+/// What a window keeps must not grow: textures, answers, undo, whatever is remembered from frame to frame.
+#[test]
+fn ten_thousand_frames_of_scrubbing_keep_no_more_memory() {
+    const WARM_UP: usize = 1_000;
+    const FRAMES: usize = 10_000;
+    let _alone = COUNTING.lock().unwrap_or_else(PoisonError::into_inner);
+    let _profiler = Profiler::builder().testing().build();
+    let mut stock = Stock::built_in();
+    stock.materials.retain(|material| ["gold-paint", "blue-acrylic"].contains(&material.name.as_str()));
+    let mut session = Session { methods: Methods(vec!["latent"]), strips: false, ..Session::default() };
+    session.look.scenery.lighting = Lighting::Point(nbrdf_core::Vec3::new(0.0, 0.6, 0.8));
+    let workbench = Workbench::new(stock, session);
+    let show = |ui: &mut egui::Ui, workbench: &mut Workbench| workbench.ui(ui);
+    let mut harness = egui_kittest::Harness::builder().with_size([700.0, 500.0]).build_ui_state(show, workbench);
+    let mut scrub = |frames: usize| {
+        for frame in 0..frames {
+            harness.state_mut().session.blend.t = (frame % 100) as f32 / 100.0;
+            harness.step();
+        }
+        // What is still on its way would count.
+        while !harness.state().is_settled() {
+            std::thread::sleep(Duration::from_millis(1));
+            harness.step();
+        }
+        HeapStats::get().curr_bytes
+    };
+    let before = scrub(WARM_UP);
+    let after = scrub(FRAMES);
+    let grown = after.saturating_sub(before);
+    assert!(grown < 256 << 10, "{grown} bytes more after {FRAMES} frames than after {WARM_UP}: {before}, then {after}");
 }

@@ -1,5 +1,14 @@
 //! The desktop app, driven without a window.
 
+#[path = "gui/blend.rs"]
+mod blend;
+#[path = "gui/export.rs"]
+mod export;
+#[path = "gui/figures.rs"]
+mod figures;
+#[path = "gui/scene.rs"]
+mod scene;
+
 use std::process::Command;
 use std::time::{Duration, Instant};
 
@@ -12,12 +21,21 @@ use nbrdf::worker::{Card, Lighting, Scenery, Stock};
 use nbrdf_core::Nbrdf;
 use nbrdf_core::nbrdf::{PUBLISHED_WEIGHTS, npy};
 
+#[path = "gui/compare.rs"]
+mod compare;
+#[path = "gui/library.rs"]
+mod library;
+#[path = "gui/map.rs"]
+mod map;
+#[path = "gui/scenery.rs"]
+mod scenery;
+
 fn quick() -> Session {
     Session { methods: Methods(vec!["raw_weights"]), strips: false, ..Session::default() }
 }
 
 fn under(lighting: Lighting) -> Look {
-    Look { scenery: Scenery { lighting }, ..Look::default() }
+    Look { scenery: Scenery::of(lighting), ..Look::default() }
 }
 
 fn open(stock: Stock, session: Session, size: [f32; 2]) -> Harness<'static, Workbench> {
@@ -191,4 +209,28 @@ fn without_a_display_it_names_the_command_to_try() {
     let said = String::from_utf8_lossy(&output.stderr);
     assert_eq!(output.status.code(), Some(1), "{said}");
     assert!(said.contains("no display") && said.contains("nbrdf blend gold-paint blue-acrylic"), "{said}");
+}
+
+/// Sources of the window, folders and all.
+fn sources(folder: &std::path::Path) -> Vec<std::path::PathBuf> {
+    let found = std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path());
+    found.flat_map(|path| if path.is_dir() { sources(&path) } else { vec![path] }).collect()
+}
+
+#[test]
+fn every_character_that_the_window_shows_has_a_glyph() {
+    let files = sources(&std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("src/gui"));
+    let mut shown = std::collections::BTreeSet::new();
+    for file in &files {
+        let text = std::fs::read_to_string(file).unwrap();
+        let code = text.lines().filter(|line| !line.trim_start().starts_with("//"));
+        shown.extend(code.flat_map(str::chars).filter(|character| !character.is_ascii()));
+    }
+    assert!(files.len() > 50 && shown.contains(&'θ'), "{} files, {shown:?}", files.len());
+    let mut missing = Vec::new();
+    Harness::new_ui(|ui| {
+        let font = egui::FontId::proportional(13.0);
+        missing = ui.fonts_mut(|fonts| shown.iter().copied().filter(|&c| !fonts.has_glyph(&font, c)).collect());
+    });
+    assert!(missing.is_empty(), "shown as boxes: {missing:?}");
 }

@@ -4,6 +4,7 @@
 //! (A metric that `evaluate` should report also needs its line in `measure/target.rs`, which evaluates and renders once.)
 
 mod bases;
+pub mod exporters;
 mod family;
 mod held;
 mod interpolations;
@@ -22,6 +23,7 @@ use nbrdf_core::metric::{LogError, Metric, RelativeLog, Rendered};
 use nbrdf_core::representation::basis::BasisFile;
 use nbrdf_core::{Interpolation, Representation};
 
+pub use exporters::{EXPORTERS, ExporterEntry};
 pub use family::Family;
 pub use interpolations::INTERPOLATIONS;
 pub use ladder::{NBRDF, ladder};

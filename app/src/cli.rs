@@ -1,5 +1,6 @@
 //! The command line.
 
+use std::ffi::OsString;
 use std::process::ExitCode;
 
 use anyhow::Result;
@@ -56,14 +57,7 @@ enum Command {
 
 /// Parses the arguments and runs; the exit code says how it went.
 pub fn run() -> ExitCode {
-    // A negative number is a value that is out of range, not the name of a switch.
-    let with_negatives = |arg: Arg| match arg.get_action().takes_values() && !arg.is_positional() {
-        true => arg.allow_negative_numbers(true),
-        false => arg,
-    };
-    let command = Cli::command().mut_args(with_negatives);
-    let command = command.mut_subcommands(|subcommand| subcommand.mut_args(with_negatives));
-    let cli = Cli::from_arg_matches(&command.get_matches()).unwrap_or_else(|error| error.exit());
+    let cli = Cli::of(std::env::args_os()).unwrap_or_else(|error| error.exit());
     match cli.execute() {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) => {
@@ -84,6 +78,21 @@ fn check_instructions() -> Result<()> {
 }
 
 impl Cli {
+    /// What words ask for, the program's name first.
+    ///
+    /// # Errors
+    /// As `clap` says it, help and version included.
+    pub fn of<T: Into<OsString> + Clone>(words: impl IntoIterator<Item = T>) -> Result<Self, clap::Error> {
+        // A negative number is a value that is out of range, not the name of a switch.
+        let with_negatives = |arg: Arg| match arg.get_action().takes_values() && !arg.is_positional() {
+            true => arg.allow_negative_numbers(true),
+            false => arg,
+        };
+        let command = Self::command().mut_args(with_negatives);
+        let command = command.mut_subcommands(|subcommand| subcommand.mut_args(with_negatives));
+        Self::from_arg_matches(&command.try_get_matches_from(words)?)
+    }
+
     fn execute(&self) -> Result<()> {
         check_instructions()?;
         if let Some(threads) = self.global.threads {

@@ -7,8 +7,13 @@
 
 pub mod action;
 pub mod args;
+mod atlas;
 mod card;
 mod cards;
+mod curves;
+pub mod drag;
+mod exports;
+mod framing;
 mod gallery;
 mod header;
 mod help;
@@ -18,9 +23,13 @@ mod look;
 mod notices;
 mod palette;
 pub mod pane;
+mod pick;
+mod renderer;
+pub mod reproduce;
 mod scrubber;
 pub mod session;
 mod shelf;
+mod stage;
 mod status;
 pub mod store;
 mod strips;
@@ -32,8 +41,12 @@ use std::path::PathBuf;
 use anyhow::Result;
 
 pub use args::App;
+pub use atlas::Atlas;
+pub use curves::Curves;
+pub use exports::Files;
 pub use gallery::Gallery;
 pub use layout::Layout;
+pub use renderer::Renderer;
 pub use session::Session;
 pub use workbench::Workbench;
 

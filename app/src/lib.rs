@@ -3,8 +3,10 @@
 pub mod catalog;
 pub mod cli;
 pub mod command;
+pub mod editor;
 pub mod failure;
 pub mod families;
+pub mod fitted;
 #[cfg(feature = "gui")]
 pub mod gui;
 pub mod material;

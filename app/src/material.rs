@@ -103,19 +103,25 @@ impl Shelf {
 
     /// A code's file, or standard input for `-`, decoded by the model it names.
     pub fn code(&self, argument: &str) -> Result<Item> {
-        let code = read_code(argument)?;
-        let file = code_file::shown(argument);
-        let representation = self.catalog.representation(&code.model, false).map_err(|error| {
-            Failure::InvalidFile(format!("{file}: expected the code of a model that is known here: {error}"))
-        })?;
-        let network = representation.network(&code).with_context(|| file.clone())?;
-        let name = code.material.clone().unwrap_or_else(|| "code".to_owned());
-        let material = match network {
-            Some(network) => Material::from_network(name, network),
-            None => Material::new(name, Arc::from(representation.decode(&code).with_context(|| file.clone())?)),
-        };
-        Ok(Item { material, entry: None, code: Some(code), turns: false })
+        decoded(&self.catalog, read_code(argument)?, &code_file::shown(argument))
     }
+}
+
+/// What a code that came from `file` stands for, by the model it names.
+///
+/// # Errors
+/// If it is one of an unknown model, or one that its model refuses.
+pub fn decoded(catalog: &Catalog, code: Code, file: &str) -> Result<Item> {
+    let representation = catalog.representation(&code.model, false).map_err(|error| {
+        Failure::InvalidFile(format!("{file}: expected the code of a model that is known here: {error}"))
+    })?;
+    let network = representation.network(&code).with_context(|| file.to_owned())?;
+    let name = code.material.clone().unwrap_or_else(|| "code".to_owned());
+    let material = match network {
+        Some(network) => Material::from_network(name, network),
+        None => Material::new(name, Arc::from(representation.decode(&code).with_context(|| file.to_owned())?)),
+    };
+    Ok(Item { material, entry: None, code: Some(code), turns: false })
 }
 
 impl Item {

@@ -8,6 +8,7 @@ pub mod linear;
 pub mod manifold;
 mod pairs;
 pub mod path_quality;
+pub mod planned;
 pub mod point;
 pub mod quality;
 pub mod reconstruction;

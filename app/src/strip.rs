@@ -94,6 +94,18 @@ impl Layout {
 }
 
 impl Strip {
+    /// What a walk between these materials is headed by.
+    pub fn heading_of<T: AsRef<str>>(ends: &[T]) -> String {
+        let names: Vec<&str> = ends.iter().map(AsRef::as_ref).collect();
+        names.join(if names.len() == 2 { " to " } else { ", " })
+    }
+
+    /// What is said of its light, and of its exposure \[stops\].
+    pub fn remark_of(light: &str, exposure: f32) -> String {
+        let exposure = if exposure == 0.0 { String::new() } else { format!(", {exposure:+} stops") };
+        format!("{light} light{exposure}")
+    }
+
     /// With labels; spheres are expected to be drawn on [`ground`].
     pub fn labelled(&self) -> Image {
         let layout = Layout::new(self);

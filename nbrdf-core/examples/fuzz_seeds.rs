@@ -190,6 +190,9 @@ fn texts(seeds: &Seeds) -> Outcome<()> {
     seeds.put("stress_report", "three", STRESS.as_bytes())?;
     seeds.put("obj", "cube", CUBE.as_bytes())?;
     seeds.put("obj", "fan", FAN.as_bytes())?;
+    for (name, bytes) in gltf() {
+        seeds.put("gltf", name, &bytes)?;
+    }
     // What fuzzing has found: a normal before the first.
     seeds.put("obj", "before_the_first", FAN.replace("-4//1", "-4//-4").as_bytes())?;
     seeds.put("scene", "part", PART.as_bytes())?;
@@ -216,6 +219,39 @@ const CUBE: &str = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 
 
 const FAN: &str = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvn 0 0 1\nvt 0 0\nf -4//1 -3//1 -2//1 -1//1\n";
 
+/// A unit square, moved and enlarged: as text, as binary, and as a fan with normals.
+fn gltf() -> [(&'static str, Vec<u8>); 3] {
+    use base64::Engine as _;
+    let place = |x: f32, y: f32| [x, y, 0.0].map(f32::to_le_bytes).concat();
+    let places = [place(-0.5, -0.5), place(0.5, -0.5), place(0.5, 0.5), place(-0.5, 0.5)].concat();
+    let short = |indices: [u16; 6]| indices.map(u16::to_le_bytes).concat();
+    let plain = [places.clone(), short([0, 1, 2, 0, 2, 3])].concat();
+    let normals = [0.0_f32, 0.0, 1.0].map(f32::to_le_bytes).concat().repeat(4);
+    let fan = [places, short([0, 1, 2, 3, 0, 0]), normals].concat();
+    let uri = |kind: &str, bytes: &[u8]| {
+        let text = base64::engine::general_purpose::STANDARD.encode(bytes);
+        format!(",\"uri\":\"data:{kind};base64,{text}\"")
+    };
+    let square = |uri: &str| GLTF.replace("URI", uri);
+    let in_a_fan = square(&uri("", &fan))
+        .replace("\"POSITION\":0},\"indices\":1", "\"POSITION\":0,\"NORMAL\":2},\"indices\":1,\"mode\":6")
+        .replace(
+            "\"count\":6,\"type\":\"SCALAR\"}",
+            "\"count\":4,\"type\":\"SCALAR\"},\
+                 {\"bufferView\":2,\"componentType\":5126,\"count\":4,\"type\":\"VEC3\"}",
+        )
+        .replace("\"byteLength\":12}", "\"byteLength\":12},{\"buffer\":0,\"byteOffset\":60,\"byteLength\":48}")
+        .replace("\"byteLength\":60", "\"byteLength\":108");
+    let mut text = square("").into_bytes();
+    text.resize(text.len().next_multiple_of(4), b' ');
+    let size = |bytes: usize| (bytes as u32).to_le_bytes();
+    let header = [b"glTF".as_slice(), &size(2), &size(28 + text.len() + plain.len())].concat();
+    let parts = [size(text.len()).as_slice(), b"JSON", &text, &size(plain.len()), b"BIN\0", &plain].concat();
+    let text = square(&uri("application/octet-stream", &plain)).into_bytes();
+    [("square", text), ("binary", [header, parts].concat()), ("fan", in_a_fan.into_bytes())]
+}
+
+const GLTF: &str = r#"{"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0,"translation":[3,0,0],"scale":[2,2,2]}],"meshes":[{"primitives":[{"attributes":{"POSITION":0},"indices":1}]}],"accessors":[{"bufferView":0,"componentType":5126,"count":4,"type":"VEC3","min":[-0.5,-0.5,0],"max":[0.5,0.5,0]},{"bufferView":1,"componentType":5123,"count":6,"type":"SCALAR"}],"bufferViews":[{"buffer":0,"byteOffset":0,"byteLength":48},{"buffer":0,"byteOffset":48,"byteLength":12}],"buffers":[{"byteLength":60URI}]}"#;
 const PART: &str = "[[object]]\nmaterial = \"chrome\"\nsphere = { centre = [0, 0, 0], radius = 1 }\n\
                     [[light]]\nkind = \"point\"\nat = [0, 3, 3]\nintensity = [1, 1, 1]\n";
 

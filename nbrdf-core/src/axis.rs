@@ -4,7 +4,7 @@ mod edit;
 
 pub use edit::{Prior, edit};
 
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 use crate::quality::Qualities;
 
@@ -12,7 +12,7 @@ use crate::quality::Qualities;
 pub const GREY: f64 = 0.02;
 
 /// A quality that can be moved.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Axis {
     /// How light, highlight included.

@@ -4,11 +4,14 @@ mod exr;
 mod hdr;
 mod png;
 pub mod read;
+mod tone;
 
 use std::{
     io,
     path::{Path, PathBuf},
 };
+
+pub use tone::Tone;
 
 use crate::Rgb;
 use crate::simd::powers;

@@ -31,6 +31,7 @@ pub mod atomic;
 pub mod axis;
 pub mod bounded;
 pub mod brdf;
+pub mod class;
 pub mod color;
 pub mod cost;
 pub mod data;

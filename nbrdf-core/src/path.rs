@@ -1,6 +1,7 @@
 //! Ways to walk between materials.
 
 pub mod bounded;
+pub mod clock;
 pub mod code_path;
 pub mod even;
 pub mod geodesic;

@@ -13,13 +13,17 @@ mod judge;
 mod models;
 mod planner;
 mod totals;
+mod tried;
 
 use std::sync::Arc;
+
+use serde::{Deserialize, Serialize};
 
 pub use follow::{Followed, LEAVES, TAKES_OVER};
 pub use models::Models;
 pub use planner::Planner;
 pub use totals::Totals;
+pub use tried::Tried;
 
 use crate::representation::EncodeError;
 use crate::{Brdf, Code, Image, Material, Nbrdf};
@@ -75,7 +79,7 @@ pub enum Kept {
 }
 
 /// What is to be least.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum By {
     /// Evaluation time.
     Time,

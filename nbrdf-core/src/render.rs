@@ -1,41 +1,49 @@
-//! A sphere of a material under directional lights.
+//! A sphere of a material under directional lights; or a plane, or a mesh ([`Model`]), in whole or in part ([`Frame`]).
 //!
 //! Orthographic view along +z, y up, the sphere's radius 0.99 of half the image; L = Σ f_r E cos θ_i over the lamps,
-//! no interreflection, no shadow. The shading frame follows the globe: tangent to the east (y × n), bitangent
-//! north. Isotropic materials do not see it; brushed ones show their grooves along the latitudes.
+//! no interreflection; only meshes cast shadows, on themselves. The shading frame follows the globe: tangent to the east
+//! (y × n), bitangent north. Isotropic materials do not see it; brushed ones show their grooves along the latitudes.
 //!
-//! Under an [`Environment`] the same sphere is a [`Progressive`] picture.
+//! Under an [`Environment`] the same surface is a [`Progressive`] picture.
 
 pub mod environment;
+mod frame;
 mod light;
+mod model;
+mod place;
 mod progressive;
 mod scrub;
 pub(crate) mod sequence;
+mod surface;
 
 use std::cell::Cell;
-use std::sync::OnceLock;
+use std::sync::{Arc, OnceLock};
 
 pub use environment::Environment;
-use glam::{DMat3, DVec3};
+pub use frame::{Frame, MAX_ZOOM};
 pub use light::{Lamp, Light};
+pub use model::Model;
+pub use place::Place;
 pub use progressive::Progressive;
 use rayon::prelude::*;
 pub use scrub::Scrub;
+pub use surface::{Surface, Surfaces};
 
 use crate::brdf::Prepared;
 use crate::{Brdf, Directions, Image, Rgb};
 
 /// Pixels per side of the sphere in all metrics.
 pub const METRIC_SIZE: usize = 128;
-/// Radius of the sphere in half image widths.
-const RADIUS: f64 = 0.99;
 /// Up to this many pixels times lamps the geometry is kept (some 60 MB); beyond, each render derives it again row by row.
 const KEPT_PAIRS: usize = 1 << 20;
+/// The same of meshes, which leave more of the picture empty and take rays to derive.
+const KEPT_PAIRS_OF_MESHES: usize = 5 << 20;
 
-/// The geometry of one picture, ready for any number of materials.
+/// The geometry of one picture, ready for any number of materials; of a sphere, unless it is [of](Self::of) another
+/// surface.
 #[derive(Clone, Debug)]
 pub struct Sphere {
-    size: usize,
+    surfaces: Arc<Surfaces>,
     light: Light,
     covered: Vec<bool>,
     rows: Vec<Row>,
@@ -55,11 +63,26 @@ struct Row {
 impl Sphere {
     /// A picture of `size` × `size` pixels under `light`.
     pub fn new(size: usize, light: &Light) -> Self {
-        let covered = (0..size * size).map(|i| normal(size, i % size, i / size).is_some()).collect();
-        let kept = size * size * light.lamps.len() <= KEPT_PAIRS;
-        let rows =
-            if kept { (0..size).into_par_iter().map(|y| Row::new(size, y, light)).collect() } else { Vec::new() };
-        Self { size, light: light.clone(), covered, rows }
+        Self::of(Arc::new(Surfaces::sphere(size)), light)
+    }
+
+    /// A picture of any surface under `light`.
+    pub fn of(surfaces: Arc<Surfaces>, light: &Light) -> Self {
+        let found = Self::unless(&|| false, Arc::clone(&surfaces), light);
+        found.unwrap_or_else(|| Self { covered: surfaces.covered(), rows: Vec::new(), light: light.clone(), surfaces })
+    }
+
+    /// As [`of`](Self::of); none as soon as `stops`, which is asked before every row.
+    pub fn unless(stops: &(dyn Fn() -> bool + Sync), surfaces: Arc<Surfaces>, light: &Light) -> Option<Self> {
+        let size = surfaces.size();
+        let most = if matches!(surfaces.model(), Model::Mesh(_)) { KEPT_PAIRS_OF_MESHES } else { KEPT_PAIRS };
+        let row = |y| (!stops()).then(|| Row::new(&surfaces, y, light));
+        let rows = if size * size * light.lamps.len() <= most {
+            (0..size).into_par_iter().map(row).collect::<Option<_>>()?
+        } else {
+            Vec::new()
+        };
+        Some(Self { covered: surfaces.covered(), rows, light: light.clone(), surfaces })
     }
 
     /// At the size of the metrics under light `point`; made once.
@@ -75,8 +98,13 @@ impl Sphere {
     }
 
     /// Pixels per side.
-    pub const fn size(&self) -> usize {
-        self.size
+    pub fn size(&self) -> usize {
+        self.surfaces.size()
+    }
+
+    /// What its pixels see.
+    pub const fn surfaces(&self) -> &Arc<Surfaces> {
+        &self.surfaces
     }
 
     /// The light it stands in.
@@ -84,16 +112,16 @@ impl Sphere {
         &self.light
     }
 
-    /// For each pixel, row by row from the top left, whether its centre is on the sphere.
+    /// For each pixel, row by row from the top left, whether its centre is on the surface.
     pub fn covered(&self) -> &[bool] {
         &self.covered
     }
 
-    /// The linear picture, black off the sphere; exposure is left to whoever shows it.
+    /// The linear picture, black beside the surface; exposure is left to whoever shows it.
     ///
     /// Rows are shaded in parallel; the result does not depend on the number of threads.
     pub fn render(&self, brdf: &dyn Brdf) -> Image {
-        let mut image = Image::black(self.size, self.size);
+        let mut image = Image::black(self.size(), self.size());
         self.render_into(brdf, &mut image);
         image
     }
@@ -103,10 +131,11 @@ impl Sphere {
     /// # Panics
     /// If the image is not of this [`size`](Self::size) (a bug of the caller).
     pub fn render_into(&self, brdf: &dyn Brdf, image: &mut Image) {
-        assert_eq!((image.width(), image.height()), (self.size, self.size), "a picture of the sphere's size");
-        image.pixels_mut().par_chunks_mut(self.size.max(1)).enumerate().for_each(|(y, out)| match self.rows.get(y) {
+        let size = self.size();
+        assert_eq!((image.width(), image.height()), (size, size), "a picture of the sphere's size");
+        image.pixels_mut().par_chunks_mut(size.max(1)).enumerate().for_each(|(y, out)| match self.rows.get(y) {
             Some(row) => row.shade(brdf, out),
-            None => Row::new(self.size, y, &self.light).shade(brdf, out),
+            None => Row::new(&self.surfaces, y, &self.light).shade(brdf, out),
         });
     }
 }
@@ -123,10 +152,11 @@ impl Lit {
     /// The pairs in the order of the pixels, and what they are weighted with.
     pub fn new(size: usize, light: &Light) -> (Prepared, Self) {
         let (mut lamps, mut at, mut weights) = (Vec::new(), Vec::new(), Vec::new());
+        let surfaces = Surfaces::sphere(size);
         for pixel in 0..size * size {
-            if let Some(normal) = normal(size, pixel % size, pixel / size) {
+            if let Some(surface) = surfaces.at(pixel % size, pixel / size) {
                 let before = at.len();
-                light_up(normal, light, &mut at, &mut weights);
+                light_up(&surfaces, surface, light, &mut at, &mut weights);
                 lamps.push(at.len() - before);
             }
         }
@@ -140,12 +170,12 @@ thread_local! {
 }
 
 impl Row {
-    fn new(size: usize, y: usize, light: &Light) -> Self {
+    fn new(surfaces: &Surfaces, y: usize, light: &Light) -> Self {
         let (mut pixels, mut at, mut weights) = (Vec::new(), Vec::new(), Vec::new());
-        for x in 0..size {
-            if let Some(normal) = normal(size, x, y) {
+        for x in 0..surfaces.size() {
+            if let Some(surface) = surfaces.at(x, y) {
                 let before = at.len();
-                light_up(normal, light, &mut at, &mut weights);
+                light_up(surfaces, surface, light, &mut at, &mut weights);
                 pixels.push((x, at.len() - before));
             }
         }
@@ -172,31 +202,18 @@ impl Row {
     }
 }
 
-/// Adds the pairs of one pixel: one for each lamp in front of its surface.
-fn light_up(normal: DVec3, light: &Light, at: &mut Vec<Directions>, weights: &mut Vec<Rgb>) {
-    let to_surface = frame(normal).transpose();
-    let view = (to_surface * DVec3::Z).as_vec3();
+/// Adds the pairs of one pixel: one for each lamp that shines on the front of its surface.
+fn light_up(surfaces: &Surfaces, surface: Surface, light: &Light, at: &mut Vec<Directions>, weights: &mut Vec<Rgb>) {
+    let to_surface = surface.to_view().transpose();
+    let view = (to_surface * surface.view).as_vec3();
     for lamp in &light.lamps {
-        let pair = Directions::new((to_surface * lamp.direction.as_dvec3()).as_vec3(), view);
-        if pair.is_above() {
+        let direction = lamp.direction.as_dvec3();
+        let pair = Directions::new((to_surface * direction).as_vec3(), view);
+        if pair.is_above() && surfaces.is_open(&surface, direction) {
             at.push(pair);
             weights.push(lamp.irradiance * pair.light.z);
         }
     }
-}
-
-/// The sphere's normal at the centre of a pixel, if it is on the sphere.
-fn normal(size: usize, x: usize, y: usize) -> Option<DVec3> {
-    let across = |pixel: usize| ((2 * pixel + 1) as f64 / size as f64 - 1.0) / RADIUS;
-    let (x, y) = (across(x), -across(y));
-    let z2 = 1.0 - x * x - y * y;
-    (z2 > 0.0).then(|| DVec3::new(x, y, z2.sqrt()))
-}
-
-/// The shading frame as columns: east, north, out. From the surface to view space; its transpose leads back.
-fn frame(normal: DVec3) -> DMat3 {
-    let tangent = DVec3::Y.cross(normal).normalize();
-    DMat3::from_cols(tangent, normal.cross(tangent), normal)
 }
 
 #[cfg(test)]
@@ -205,6 +222,7 @@ mod tests {
     use crate::{
         Vec3,
         brdf::{ggx::Ggx, lambert::Lambert},
+        scene::Mesh,
     };
 
     const WHITE: Lambert = Lambert { albedo: Rgb::splat(1.0) };
@@ -236,7 +254,7 @@ mod tests {
     #[test]
     fn the_disc_covers_its_share_of_the_image() {
         let share = Sphere::point().covered().iter().filter(|&&on| on).count() as f64 / (128.0 * 128.0);
-        assert!((share - std::f64::consts::PI / 4.0 * RADIUS * RADIUS).abs() < 2e-3);
+        assert!((share - std::f64::consts::PI / 4.0 * 0.99 * 0.99).abs() < 2e-3);
     }
 
     #[test]
@@ -265,5 +283,47 @@ mod tests {
         let derived = Sphere { rows: Vec::new(), ..kept.clone() };
         assert!(!kept.rows.is_empty() && Sphere::new(1025, &Light::point()).rows.is_empty());
         assert_eq!(kept.render(&GLOSSY), derived.render(&GLOSSY));
+    }
+
+    #[test]
+    fn a_mesh_of_a_ball_shows_what_a_ball_shows() {
+        let ball = Model::Mesh(Arc::new(Mesh::of_obj(&ball()).unwrap()));
+        let picture = Sphere::of(Arc::new(Surfaces::new(48, &ball, Frame::WHOLE)), &Light::point()).render(&WHITE);
+        let expected = Sphere::new(48, &Light::point()).render(&WHITE);
+        // Seen from nearer, the rim is another.
+        for (x, y) in [(24, 24), (30, 24), (24, 16), (20, 30)] {
+            let (found, expected) = (picture.get(x, y)[0], expected.get(x, y)[0]);
+            assert!((found - expected).abs() < 0.06, "{x} {y}: {found} {expected}");
+        }
+    }
+
+    /// A ball in OBJ, of rings around the y axis.
+    fn ball() -> Vec<u8> {
+        let (rings, around) = (40_usize, 80_usize);
+        let mut text = String::new();
+        for (ring, step) in (0..=rings).flat_map(|ring| (0..around).map(move |step| (ring, step))) {
+            let (polar, azimuth) = (ring as f64 / rings as f64, 2.0 * step as f64 / around as f64);
+            let ((s, c), (sin, cos)) =
+                ((polar * std::f64::consts::PI).sin_cos(), (azimuth * std::f64::consts::PI).sin_cos());
+            text += &format!("v {} {c} {}\n", s * sin, s * cos);
+        }
+        for (ring, step) in (0..rings).flat_map(|ring| (0..around).map(move |step| (ring, step))) {
+            let at = |ring: usize, step: usize| ring * around + step % around + 1;
+            let corners = [at(ring, step), at(ring + 1, step), at(ring + 1, step + 1), at(ring, step + 1)];
+            text += &format!("f {} {} {} {}\n", corners[0], corners[1], corners[2], corners[3]);
+        }
+        text.into_bytes()
+    }
+
+    #[test]
+    fn every_model_is_lit_and_stops_when_told() {
+        for model in [Model::Plane, Model::Mesh(Arc::new(Mesh::knot()))] {
+            let surfaces = Arc::new(Surfaces::new(24, &model, Frame::WHOLE));
+            let sphere = Sphere::of(Arc::clone(&surfaces), &Light::studio());
+            let image = sphere.render(&GLOSSY);
+            let lit = image.pixels().iter().zip(sphere.covered()).filter(|(pixel, _)| pixel.max() > 0.0);
+            assert!(lit.clone().count() > 100 && lit.clone().all(|(pixel, &on)| on && pixel.is_finite()), "{model:?}");
+            assert!(Sphere::unless(&|| true, surfaces, &Light::studio()).is_none());
+        }
     }
 }

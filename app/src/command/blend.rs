@@ -1,7 +1,7 @@
 //! `nbrdf blend`: spheres along the path between materials, one row per method.
 
 mod painter;
-mod samples;
+pub(crate) mod samples;
 mod walk;
 
 use std::path::PathBuf;
@@ -129,15 +129,13 @@ impl Blend {
 
     fn write(&self, ends: &[Material], samples: &[Sample], walks: &[Walk]) -> Result<()> {
         let names: Vec<&str> = ends.iter().map(|end| end.name.as_str()).collect();
-        let separator = if names.len() == 2 { " to " } else { ", " };
-        let exposure = if self.exposure == 0.0 { String::new() } else { format!(", {:+} stops", self.exposure) };
         let row = |walk: &Walk| {
             let spheres = walk.result.as_ref().ok()?.spheres.clone();
             Some(Row { title: walk.entry.title.into(), name: walk.entry.name.into(), spheres })
         };
         let strip = Strip {
-            heading: names.join(separator),
-            remark: format!("{} light{exposure}", self.light.light().name),
+            heading: Strip::heading_of(&names),
+            remark: Strip::remark_of(self.light.light().name, self.exposure),
             columns: samples.iter().map(|sample| sample.heading()).collect(),
             rows: walks.iter().filter_map(row).collect(),
         };

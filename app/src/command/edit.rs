@@ -4,18 +4,16 @@ use std::path::PathBuf;
 
 use anyhow::{Context, Result};
 use clap::Args;
-use nbrdf_core::axis::{Axis, GREY, edit};
+use nbrdf_core::axis::Axis;
 use nbrdf_core::quality::Qualities;
 use nbrdf_core::{Code, Representation, atomic};
 use serde_json::{Value, json};
 
 use super::Global;
+use crate::editor::{Editor, MOST};
 use crate::failure::Failure;
 use crate::material::Sources;
 use crate::{output, report};
-
-/// Smallest share of an edit that is not worth a warning.
-const REACHED: f64 = 0.8;
 
 /// Moves qualities of a material (lightness, hue, chroma, gloss, roughness, metalness, sheen) and writes its new code.
 #[derive(Debug, Args)]
@@ -41,8 +39,8 @@ fn parse(text: &str) -> Result<(Axis, f64), String> {
     let (name, amount) = text.split_at(at);
     let axis = Axis::ALL.into_iter().find(|axis| axis.name() == name).ok_or_else(expected)?;
     let amount: f64 = amount.parse().map_err(|_| expected())?;
-    if !(-1.0..=1.0).contains(&amount) {
-        return Err(format!("{amount} is out of range: qualities are moved by -1 to 1"));
+    if !(-f64::from(MOST)..=f64::from(MOST)).contains(&amount) {
+        return Err(format!("{amount} is out of range: qualities are moved by -{MOST} to {MOST}"));
     }
     Ok((axis, amount))
 }
@@ -57,8 +55,8 @@ impl Edit {
         let shelf = self.sources.open()?;
         let item = shelf.material_or_code(&self.material)?;
         shelf.catalog.check_used()?;
-        let known = shelf.catalog.autoencoder();
-        let prior = known.prior().context("this model remembers no materials to learn axes from")?;
+        let editor = Editor::of(&shelf.catalog)?;
+        let known = editor.model();
         let start = match &item.code {
             Some(code) if code.model == known.name() => code.clone(),
             Some(code) => {
@@ -68,16 +66,10 @@ impl Edit {
             }
             None => shelf.catalog.representation(known.name(), false)?.encode(&item.material)?,
         };
-        let decoded = known.decode(&start)?;
-        let mut numbers = start.code.clone();
-        let before = Qualities::of(decoded.as_ref());
-        let mut now = before;
-        for &(axis, amount) in &self.edits {
-            let from = now;
-            (numbers, now) = edit(known.as_ref(), &prior, &numbers, axis, amount)?;
-            warn_if_short(global, axis, amount, [&from, &now])?;
-        }
-        let edited = known.code(numbers);
+        let moved = editor.edit(&start, self.edits.iter().copied())?;
+        moved.shortfalls.iter().try_for_each(|shortfall| global.warn(format_args!("{shortfall}")))?;
+        let (before, now) = (moved.before, moved.after);
+        let edited = known.code(moved.code);
         let distance = known.distance(&edited)?;
         let code = Code { material: Some(self.name(&item.material.name)), distance, ..edited };
         let json = serde_json::to_string(&code)? + "\n";
@@ -94,22 +86,6 @@ impl Edit {
         let edit = |(axis, amount): &(Axis, f64)| format!(" {}{amount:+}", axis.name());
         format!("{material}{}", self.edits.iter().map(edit).collect::<String>())
     }
-}
-
-fn warn_if_short(global: &Global, axis: Axis, amount: f64, [from, to]: [&Qualities; 2]) -> Result<()> {
-    let missed = axis.missed(from, to, amount) / amount;
-    // NaN is short, too.
-    if amount == 0.0 || missed <= 1.0 - REACHED {
-        return Ok(());
-    }
-    if axis == Axis::Hue && Axis::Chroma.value(from) < GREY {
-        return global.warn(format_args!("grey has no hue to turn: move chroma first, as in chroma+0.2"));
-    }
-    let moved = axis.difference(from, to);
-    global.warn(format_args!(
-        "{} moved by {moved:+.3}, not by {amount:+.3}: no code of a likely material goes further",
-        axis.name()
-    ))
 }
 
 fn summary(code: &Code, before: &Qualities, now: &Qualities) -> Value {

@@ -1,25 +1,23 @@
 //! `nbrdf fit`: a network from measured data.
 
-mod fitted;
-mod judge;
+pub(crate) mod judge;
 
 use std::path::PathBuf;
 
-use anyhow::Result;
+use anyhow::{Context, Result};
 use clap::Args;
-use nbrdf_core::library::builtin;
+use nbrdf_core::Warning;
 use nbrdf_core::measured::{self, Measured};
 use nbrdf_core::nbrdf::MAX_HIDDEN;
-use nbrdf_core::nbrdf::fit::{FitOptions, random_hidden};
+use nbrdf_core::nbrdf::fit::FitOptions;
 use nbrdf_core::sample_list::SampleList;
-use nbrdf_core::{Nbrdf, Warning};
 use serde_json::{Value, json};
 
 use super::Global;
 use crate::failure::Failure;
+use crate::fitted::{self, Fitted};
 use crate::measure::guard;
 use crate::{output, progress, report};
-use fitted::Fitted;
 use judge::{samples_error, table_error};
 
 /// Azimuths of the half vector \[rad\] in a row that a list may leave out.
@@ -60,7 +58,7 @@ impl Fit {
             output::check(&self.output, &["safetensors"])?;
         }
         self.check(&measured)?;
-        let start = self.start(global.seed());
+        let start = fitted::start(global.seed(), self.hidden);
         let options = FitOptions { steps: self.steps as usize, ..FitOptions::shared_start(global.seed()) };
         let source: Vec<Warning> = match &measured {
             Measured::Everywhere(table) | Measured::Turning(table) => guard::of_source(table.as_ref()).collect(),
@@ -73,7 +71,7 @@ impl Fit {
             bar.inc(64);
             progress::cancelled()
         };
-        let fitted = Fitted::to(&measured, turns, &start, options, &cancelled)?;
+        let fitted = finished(Fitted::to(&measured, turns, &start, options, &cancelled))?;
         let material = measured::name_of(&self.source);
         global.warn_of(
             &material,
@@ -84,7 +82,7 @@ impl Fit {
         let error = match &measured {
             Measured::Everywhere(table) | Measured::Turning(table) => table_error(table.as_ref(), fitted.brdf(), turns),
             Measured::Somewhere(list) => {
-                let refit = |rest: &SampleList| Fitted::to_list(rest, turns, &start, options, &cancelled);
+                let refit = |rest: &SampleList| finished(Fitted::to_list(rest, turns, &start, options, &cancelled));
                 samples_error(list, self.leave_out.map(usize::from), fitted.brdf(), &refit)?
             }
         };
@@ -116,14 +114,12 @@ impl Fit {
         };
         Err(Failure::Usage(refused).into())
     }
+}
 
-    /// The shared start of the built-in library, or random weights where widths differ.
-    fn start(&self, seed: u64) -> Nbrdf {
-        match builtin::shared().shared_start() {
-            Some(start) if start.hidden() == self.hidden => start.clone(),
-            _ => random_hidden(seed, 0, self.hidden),
-        }
-    }
+/// The fit, or why there is none.
+fn finished(fitted: Option<Fitted>) -> Result<Fitted> {
+    progress::check()?;
+    fitted.context(fitted::DIVERGED)
 }
 
 /// Two widths, as in 21,21.

@@ -4,7 +4,7 @@ mod check;
 mod curve;
 mod distance;
 mod export;
-mod opened;
+mod look;
 mod picture;
 mod summary;
 mod tolerance;
@@ -17,10 +17,9 @@ use clap::{Args, ValueEnum};
 use nbrdf_core::plan::{By, Models, Options, Plan as Planned, Planner, TOLERANCE, Watch};
 
 use super::Global;
-use crate::catalog::NBRDF;
 use crate::failure::Failure;
+use crate::measure::planned::Opened;
 use crate::{output, progress, report};
-use opened::Opened;
 
 /// Finds the cheapest model of every object's material that nobody can tell from the material itself.
 ///
@@ -102,13 +101,12 @@ impl Plan {
         let opened = Opened::load(&self.scene, self.library.as_deref(), &self.checkpoint)?;
         let by = if self.by == Least::Time { By::Time } else { By::Bytes };
         let tolerance = self.tolerance.or(opened.scene.tolerance).unwrap_or(TOLERANCE);
-        let beside = opened.ladder.iter().position(|rung| rung.name == NBRDF);
-        let options = Options { tolerance, by, exhaustive: false, most_bytes: self.most_bytes, beside };
+        let options = opened.options(tolerance, by, self.most_bytes);
         match self.sweep {
             None => self.once(&opened, options, &output, global),
             Some(Sweep::Tolerance) => tolerance::sweep(&opened, options, &output, global),
             Some(Sweep::Distance) => {
-                let object = opened.object(self.object.as_deref())?;
+                let object = look::object(&opened, self.object.as_deref())?;
                 distance::sweep(&opened, object, options, &output, global)
             }
         }
@@ -126,7 +124,7 @@ impl Plan {
     }
 
     fn once(&self, opened: &Opened, options: Options, output: &Path, global: &Global) -> Result<()> {
-        let view = opened.whole_view(global)?;
+        let view = look::whole(opened, global)?;
         let models = Models::new(&opened.materials, &opened.ladder);
         let start = Instant::now();
         let planner = Planner::new(&view, &models, &opened.material)?;

@@ -10,7 +10,11 @@ const fn command(key: Key) -> KeyboardShortcut {
     KeyboardShortcut::new(Modifiers::COMMAND, key)
 }
 
-const REDO: KeyboardShortcut = KeyboardShortcut::new(Modifiers::COMMAND.plus(Modifiers::SHIFT), Key::Z);
+const fn command_shift(key: Key) -> KeyboardShortcut {
+    KeyboardShortcut::new(Modifiers::COMMAND.plus(Modifiers::SHIFT), key)
+}
+
+const REDO: KeyboardShortcut = command_shift(Key::Z);
 
 /// One line for each action: its name, what it does for people, its keys, of which the first is shown.
 macro_rules! actions {
@@ -47,6 +51,7 @@ actions! {
     Help: "Show all keys", [plain(Key::F1), plain(Key::Questionmark)];
     Undo: "Undo", [command(Key::Z)];
     Redo: "Redo", [command(Key::Y), REDO];
+    Open: "Open files", [command(Key::O)];
     Search: "Search the library", [command(Key::F)];
     Play: "Play or pause", [plain(Key::Space)];
     Swap: "Walk the other way round", [plain(Key::X)];
@@ -57,8 +62,18 @@ actions! {
     Darker: "Half a stop darker", [plain(Key::Minus)];
     Light: "Next light", [plain(Key::L)];
     Strips: "Show or hide film strips", [plain(Key::F)];
+    SideBySide: "Compare side by side", [plain(Key::Num1)];
+    Swipe: "Compare by a divider", [plain(Key::Num2)];
+    Difference: "Compare by their difference", [plain(Key::Num3)];
+    Flicker: "Compare by flicker", [plain(Key::Num4)];
+    Pick: "Pick a point, or no longer", [plain(Key::P)];
+    Export: "Write pictures, materials and figures to files", [command(Key::E)];
+    CopyCode: "Copy the code of this point", [command_shift(Key::C)];
+    CopyCommand: "Copy the command that draws this", [command_shift(Key::X)];
     Theme: "Dark or light theme", [];
+    Leave: "End exploring the latent map", [];
     Arrange: "Put all panes back in place", [];
+    Quit: "Close the window", [command(Key::Q)];
 }
 
 impl Action {

@@ -6,7 +6,9 @@ use anyhow::{Result, anyhow};
 use clap::{Args, ValueEnum};
 use nbrdf_core::library::builtin;
 
-use super::session::LAMP;
+use super::pane::Pane;
+use super::renderer::{self, Renderer};
+use super::session::{LAMP, Way};
 use super::store::{self, Found};
 use super::window::{self, Opening};
 use super::{Layout, Session};
@@ -15,7 +17,8 @@ use crate::worker::Lighting;
 /// The desktop app: walk between two materials and watch.
 #[derive(Debug, Clone, Default, Args)]
 pub struct App {
-    /// Libraries, archives or networks to show beside the built-in materials, and environment maps (.hdr, .exr).
+    /// Libraries, archives, networks, measurements or codes to show beside the built-in materials, environment maps (.hdr,
+    /// .exr), meshes (.obj, .gltf, .glb), and a scene to plan (.toml).
     pub files: Vec<PathBuf>,
     /// Material at t = 0.
     #[arg(long, short, value_name = "MATERIAL")]
@@ -35,12 +38,33 @@ pub struct App {
     /// Begin anew instead of where the last session ended.
     #[arg(long)]
     pub new: bool,
+    /// How the window is drawn.
+    #[arg(long, value_enum, default_value_t)]
+    pub renderer: Renderer,
+    /// Why OpenGL opened no window, where this is the second start.
+    #[arg(long, value_name = "WHY", hide = true)]
+    pub instead: Option<String>,
     /// Size of the window, such as 1600x900.
     #[arg(long, value_parser = size, value_name = "WxH")]
     pub size: Option<[u16; 2]>,
+    /// Bring this pane to the front.
+    #[arg(long, value_name = "PANE", hide = true, value_parser = pane)]
+    pub pane: Option<Pane>,
     /// Write a picture of the window once everything is shown, and leave.
     #[arg(long, value_name = "FILE", hide = true)]
     pub screenshot: Option<PathBuf>,
+    /// Write pictures of a walk from A to B and back into this folder, and leave.
+    #[arg(long, value_name = "FOLDER", hide = true, conflicts_with = "screenshot")]
+    pub film: Option<PathBuf>,
+    /// How many pictures.
+    #[arg(long, value_name = "N", hide = true, default_value_t = 48, value_parser = clap::value_parser!(u16).range(2..=999))]
+    pub frames: u16,
+    /// Write how long frames took when the window is closed.
+    #[arg(long, value_name = "FILE.json", hide = true)]
+    pub report: Option<PathBuf>,
+    /// Move t back and forth for so many seconds, and leave.
+    #[arg(long, value_name = "SECONDS", hide = true, requires = "report")]
+    pub drive: Option<u16>,
 }
 
 /// Where the light comes from.
@@ -84,19 +108,35 @@ impl App {
         if !has_display() {
             return Err(no_display("neither DISPLAY nor WAYLAND_DISPLAY is set"));
         }
-        let mut opening = Opening { file: self.file(), ..Opening::default() };
-        match opening.file.as_deref().filter(|_| !self.new).map(store::read) {
+        // Pictures of the window are of a new session or of one that was named, and leave no trace.
+        let named = if self.is_filmed() { store::named() } else { store::file() };
+        let file = named.clone().filter(|_| !self.is_filmed());
+        let mut opening = Opening { file, ..Opening::default() };
+        match named.as_deref().filter(|_| !self.new).map(store::read) {
             Some(Found::Session(saved)) => {
                 opening.session = saved.session;
-                opening.layout = Some(saved.layout).filter(Layout::is_whole).unwrap_or_default();
+                opening.layout = saved.layout.filter(Layout::is_whole);
                 opening.size = saved.window;
             }
-            Some(Found::Damaged(why)) => opening.notice = Some(why),
+            Some(Found::Damaged(why)) => opening.notices.push(why),
             Some(Found::Nothing) | None => {}
         }
         opening.session = self.session(opening.session)?;
         opening.size = self.size.map(|size| size.map(f32::from)).or(opening.size);
-        window::open(self.clone(), opening).map_err(|error| no_display(&reason(&error)))
+        if let Some(why) = &self.instead {
+            opening.notices.push(renderer::notice(why));
+        }
+        let Err(error) = window::open(self.clone(), opening) else { return Ok(()) };
+        let why = reason(&error);
+        if self.instead.is_some() || !self.renderer.has_second(&error) {
+            return Err(no_display(&why));
+        }
+        let ended = renderer::again(&why).map_err(|error| no_display(&format!("{why}; {error}")))?;
+        if ended.success() {
+            return Ok(());
+        }
+        // It has said itself what was wrong.
+        std::process::exit(ended.code().unwrap_or(1))
     }
 
     /// What the command line asks of a session: the last one, or a new one.
@@ -109,7 +149,13 @@ impl App {
                 session.blend.choose(end, &builtin::shared().get(name)?.name);
             }
         }
-        session.blend.t = self.t.unwrap_or(session.blend.t);
+        if self.b.is_some() {
+            // It is the material at t = 1, also where the last session had more.
+            session.blend.ends.truncate(2);
+        }
+        if let Some(t) = self.t {
+            (session.blend.way, session.blend.t) = (Way::Keys, t);
+        }
         session.theme = match self.theme {
             Some(Theme::Dark) => egui::ThemePreference::Dark,
             Some(Theme::Light) => egui::ThemePreference::Light,
@@ -118,9 +164,9 @@ impl App {
         Ok(session)
     }
 
-    /// The file that the session is kept in; pictures of the window are of a new session and leave no trace.
-    fn file(&self) -> Option<PathBuf> {
-        if self.screenshot.is_some() { None } else { store::file() }
+    /// Whether pictures of the window are taken.
+    pub(super) fn is_filmed(&self) -> bool {
+        self.screenshot.is_some() || self.film.is_some() || self.drive.is_some()
     }
 }
 
@@ -150,6 +196,11 @@ fn no_display(why: &str) -> anyhow::Error {
 fn share(text: &str) -> Result<f32, String> {
     let parsed = text.parse().ok();
     parsed.filter(|t| (0.0..=1.0).contains(t)).ok_or_else(|| "expected a number from 0 to 1".to_owned())
+}
+
+fn pane(text: &str) -> Result<Pane, String> {
+    let found = Pane::ALL.into_iter().find(|pane| pane.title().eq_ignore_ascii_case(text));
+    found.ok_or_else(|| format!("expected one of {}", Pane::ALL.map(Pane::title).join(", ")))
 }
 
 fn size(text: &str) -> Result<[u16; 2], String> {

@@ -7,18 +7,23 @@ use egui::{
 
 use super::gallery::{State, View};
 use super::session::letter;
-use super::{Session, look};
+use super::{Session, drag, framing, look, pick};
 use crate::catalog::Catalog;
 use crate::worker::{Card, Figures};
 
 const MARGIN: f32 = 10.0;
 const TITLE: f32 = 24.0;
 const LINE: f32 = 18.0;
+/// What can be done with a sphere.
+pub const HOW: &str = "Drag to move the light. Wheel or pinch: zoom. Shift or another button: drag the picture. Double \
+                       click: all of it. Alt or Ctrl: pick a point (P)";
 
 /// One card.
 pub struct CardPanel<'a> {
     pub session: &'a mut Session,
     pub view: Option<&'a View>,
+    /// Of the explored code from those of training, and what is to be said of it.
+    pub distance: (Option<f64>, Option<&'a str>),
     pub card: Card,
     pub side: f32,
 }
@@ -39,83 +44,124 @@ impl CardPanel<'_> {
         self.title(ui);
         self.sphere(ui);
         ui.add_space(8.0);
-        figures(ui, self.card, self.view.and_then(|view| view.figures));
+        figures(ui, self.card, self.view.and_then(|view| view.figures), self.distance);
+        if let Card::End(end) = self.card {
+            let target = ui.interact(rect, ui.scope_id().with("drop"), Sense::hover());
+            if let Some(name) = drag::accept(ui, &target) {
+                self.session.blend.choose(end, &name);
+            }
+        }
     }
 
-    fn title(&self, ui: &mut Ui) {
+    fn title(&mut self, ui: &mut Ui) {
         let (name, about) = match self.card {
             Card::End(end) => (self.session.blend.ends.get(end).map_or("", String::as_str), "The material as it is"),
+            Card::Explored => ("Explored", "What the code at this place of the latent map decodes to"),
             Card::Method(name) => {
                 Catalog::interpolation_entry(name).map_or((name, ""), |entry| (entry.title, entry.about))
             }
         };
         let line = Layout::left_to_right(Align::Min);
+        let mut is_over = false;
         ui.allocate_ui_with_layout(vec2(ui.available_width(), TITLE), line, |ui| {
             ui.set_min_height(TITLE);
             if let Card::End(end) = self.card {
                 let (rect, _) = ui.allocate_exact_size(vec2(24.0, 18.0), Sense::hover());
                 look::badge(ui.painter(), rect.left_center() + vec2(9.0, 0.0), end, true, ui.visuals());
             }
+            if matches!(self.card, Card::Method(_)) && self.session.blend.is_outside() {
+                let mark = RichText::new("beyond").small().color(ui.visuals().warn_fg_color);
+                ui.label(mark).on_hover_text("Beyond the ends: a guess, no mixture of what is known");
+                ui.add_space(6.0);
+            }
             let name = name.strip_prefix("rgl/").unwrap_or(name);
+            if self.card == Card::Explored {
+                let end = ui.small_button("End").on_hover_text("No longer show this place of the map (Esc)");
+                is_over = end.clicked();
+                ui.add_space(6.0);
+            }
             ui.add(egui::Label::new(RichText::new(name).strong().size(14.0)).truncate()).on_hover_text(about);
         });
+        if is_over {
+            self.session.explored = None;
+        }
     }
 
     fn sphere(&mut self, ui: &mut Ui) {
-        let (rect, sphere) = ui.allocate_exact_size(Vec2::splat(self.side), Sense::drag());
+        let (rect, sphere) = ui.allocate_exact_size(Vec2::splat(self.side), Sense::click_and_drag());
         let name = match self.card {
             Card::End(end) => letter(end).to_string(),
             Card::Method(name) => name.to_owned(),
+            Card::Explored => "explored".to_owned(),
         };
-        let state = self.view.map_or(&State::Pending, |view| &view.state);
         sphere.widget_info(|| {
-            let state = match state {
-                State::Pending => "pending",
-                State::Shown => "shown",
-                State::Failed(_) => "failed",
-            };
-            WidgetInfo::labeled(egui::Role::Image, true, format!("Sphere {name}: {state}"))
+            WidgetInfo::labeled(egui::Role::Image, true, format!("Sphere {name}: {}", told(self.view)))
         });
-        self.light(ui, rect, &sphere);
-        let texture = self.view.and_then(|view| view.texture.as_ref());
-        if let Some(texture) = texture.filter(|_| !matches!(state, State::Failed(_))) {
-            let whole = Rect::from_min_max(pos2(0.0, 0.0), pos2(1.0, 1.0));
-            let tint = if *state == State::Shown { Color32::WHITE } else { Color32::from_white_alpha(50) };
-            ui.painter().image(texture.id(), rect, whole, tint);
-        } else {
-            let quiet = ui.visuals().weak_text_color().gamma_multiply(0.12);
-            ui.painter().circle_filled(rect.center(), 0.495 * self.side, quiet);
+        light(self.session, ui, rect, &sphere);
+        if picture(ui, rect, self.view) {
+            mark(self.session, ui, rect, &sphere);
         }
-        match state {
-            State::Pending => wait(ui, rect),
-            State::Failed(why) => refuse(ui, rect, why),
-            State::Shown => self.mark(ui, rect, &sphere),
-        }
-        sphere.on_hover_cursor(CursorIcon::Crosshair).on_hover_text("Drag to move the light");
+        sphere.on_hover_cursor(CursorIcon::Crosshair).on_hover_text(HOW);
     }
+}
 
-    /// Dragging moves the lamp so that its reflection stays under the pointer.
-    fn light(&mut self, ui: &Ui, rect: Rect, sphere: &Response) {
-        if sphere.dragged()
-            && let Some(pointer) = sphere.interact_pointer_pos()
-        {
-            let radius = rect.width() / 2.0;
-            if !self.session.look.turn_by(sphere.drag_delta().x / radius) {
-                let from_middle = (pointer - rect.center()) / radius;
-                self.session.look.point_at(from_middle.x, -from_middle.y);
-            }
-            ui.ctx().set_cursor_icon(CursorIcon::Crosshair);
-        }
+/// Whether a picture is there, in a word.
+pub fn told(view: Option<&View>) -> &'static str {
+    match view.map_or(&State::Pending, |view| &view.state) {
+        State::Pending => "pending",
+        State::Shown => "shown",
+        State::Failed(_) => "failed",
     }
+}
 
-    fn mark(&self, ui: &Ui, rect: Rect, sphere: &Response) {
-        let Some([x, y]) = self.session.look.highlight().filter(|_| sphere.hovered() || sphere.dragged()) else {
-            return;
-        };
+/// The picture of a view, or why there is none; whether it is the one asked for.
+pub fn picture(ui: &mut Ui, rect: Rect, view: Option<&View>) -> bool {
+    let state = view.map_or(&State::Pending, |view| &view.state);
+    let texture = view.and_then(|view| view.texture.as_ref());
+    if let Some(texture) = texture.filter(|_| !matches!(state, State::Failed(_))) {
+        let tint = if *state == State::Shown { Color32::WHITE } else { Color32::from_white_alpha(50) };
+        ui.painter().image(texture.id(), rect, Rect::from_min_max(pos2(0.0, 0.0), pos2(1.0, 1.0)), tint);
+    } else {
+        let quiet = ui.visuals().weak_text_color().gamma_multiply(0.12);
+        ui.painter().circle_filled(rect.center(), 0.495 * rect.width(), quiet);
+    }
+    match state {
+        State::Pending => wait(ui, rect, "preparing"),
+        State::Failed(why) => refuse(ui, rect, why),
+        State::Shown => {}
+    }
+    *state == State::Shown
+}
+
+/// Dragging moves the lamp so that its reflection stays under the pointer; or the picked point, or what is shown.
+pub fn light(session: &mut Session, ui: &Ui, rect: Rect, sphere: &Response) {
+    let is_picking = pick::is_asked(ui, session);
+    if framing::change(ui, &mut session.look.scenery.frame, sphere) {
+        return;
+    }
+    if (sphere.dragged() || (is_picking && sphere.clicked()))
+        && let Some(pointer) = sphere.interact_pointer_pos()
+    {
+        let radius = rect.width() / 2.0;
+        let from_middle = (pointer - rect.center()) / radius;
+        if is_picking {
+            let [x, y] = [from_middle.x, -from_middle.y].map(f64::from);
+            session.pick.put(session.look.scenery.frame.place([x, y]));
+        } else if !session.look.turn_by(sphere.drag_delta().x / radius) {
+            session.look.point_at(from_middle.x, -from_middle.y);
+        }
+        ui.ctx().set_cursor_icon(CursorIcon::Crosshair);
+    }
+}
+
+/// Where the lamp is mirrored, while that is of use, and the picked point.
+pub fn mark(session: &Session, ui: &Ui, rect: Rect, sphere: &Response) {
+    if let Some([x, y]) = session.look.highlight().filter(|_| sphere.hovered() || sphere.dragged()) {
         let at: Pos2 = rect.center() + vec2(x, -y) * (rect.width() / 2.0);
         ui.painter().circle_stroke(at, 8.0, Stroke::new(3.0, Color32::from_black_alpha(120)));
         ui.painter().circle_stroke(at, 8.0, Stroke::new(1.5, Color32::WHITE));
     }
+    pick::mark(ui, rect, session);
 }
 
 /// Over the sphere, without moving what comes below it.
@@ -123,12 +169,12 @@ fn over(ui: &mut Ui, rect: Rect) -> Ui {
     ui.new_child(UiBuilder::new().max_rect(rect))
 }
 
-fn wait(ui: &mut Ui, rect: Rect) {
+fn wait(ui: &mut Ui, rect: Rect, what: &str) {
     let ui = &mut over(ui, rect);
     let middle = Rect::from_center_size(rect.center() - vec2(0.0, 8.0), Vec2::splat(22.0));
     ui.put(middle, Spinner::new().size(22.0));
     let below = Rect::from_center_size(rect.center() + vec2(0.0, 16.0), vec2(rect.width() - 8.0, 18.0));
-    ui.put(below, egui::Label::new(RichText::new("preparing the path").small().weak()).truncate());
+    ui.put(below, egui::Label::new(RichText::new(what).small().weak()).truncate());
 }
 
 fn refuse(ui: &mut Ui, rect: Rect, why: &str) {
@@ -138,14 +184,14 @@ fn refuse(ui: &mut Ui, rect: Rect, why: &str) {
     ui.put(middle, egui::Label::new(text).truncate()).on_hover_text(why);
 }
 
-fn figures(ui: &mut Ui, card: Card, figures: Option<Figures>) {
+fn figures(ui: &mut Ui, card: Card, figures: Option<Figures>, (distance, warning): (Option<f64>, Option<&str>)) {
     let shown = |value: Option<f64>, digits: usize| value.map_or("–".to_owned(), |v| format!("{v:.digits$}"));
     let psnr = match figures {
         Some(Figures { psnr, .. }) if psnr >= 100.0 => "exact".to_owned(),
         Some(Figures { psnr, .. }) => format!("{psnr:.1} dB"),
         None => "–".to_owned(),
     };
-    let seen = "as seen: under this light, at this exposure";
+    let seen = "on a sphere: under this light, at this exposure, with the clip curve";
     line(
         ui,
         "PSNR",
@@ -162,12 +208,19 @@ fn figures(ui: &mut Ui, card: Card, figures: Option<Figures>) {
     let label = nearest.map_or("ΔE to end".to_owned(), |(end, _)| format!("ΔE to {}", letter(end)));
     let about = "Mean ΔE_ITP to the nearest end; of an end, to the nearest other one.";
     line(ui, &label, &shown(nearest.map(|(_, distance)| distance), 1), about);
+    if card == Card::Explored {
+        let about = warning.unwrap_or("it is like them");
+        let about = format!("Of the code from those of training; 1 is how far these are from each other: {about}.");
+        let mark = if warning.is_some() { "far, " } else { "" };
+        line(ui, "Distance", &format!("{mark}{}", shown(distance, 1)), &about);
+        return;
+    }
     let hue = figures.map(|f| f.hue).filter(|_| matches!(card, Card::Method(_)));
     line(
         ui,
         "Hue detour",
         &shown(hue, 3),
-        "How far the mean colour leaves all mixtures of the ends' colours, in u′v′.",
+        "How far the mean colour leaves all mixtures of the ends' colours, in u'v'.",
     );
 }
 

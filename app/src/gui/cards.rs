@@ -43,7 +43,8 @@ impl Cards<'_> {
             for (place, &card) in cards.iter().enumerate() {
                 let (column, row) = ((place % grid.columns) as f32, (place / grid.columns) as f32);
                 let at = corner + vec2(column * (size.x + GAP), row * (size.y + GAP));
-                CardPanel { session: &mut *session, view: gallery.view(card), card, side: grid.side }
+                let (view, distance) = (gallery.view(card), gallery.atlas.explored());
+                CardPanel { session: &mut *session, view, distance, card, side: grid.side }
                     .show(ui, Rect::from_min_size(at, size));
             }
         });

@@ -34,6 +34,7 @@ impl Header<'_> {
                 button(ui, "Swap", Action::Swap, true);
                 button(ui, "Redo", Action::Redo, ways[1]);
                 button(ui, "Undo", Action::Undo, ways[0]);
+                button(ui, "Export", Action::Export, true);
                 button(ui, "Commands", Action::Palette, true);
                 ui.with_layout(egui::Layout::left_to_right(egui::Align::Center), |ui| {
                     let ends = session.blend.ends.join("  to  ");

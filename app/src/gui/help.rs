@@ -1,6 +1,6 @@
 //! All keys, over the window.
 
-use egui::{Align2, Context, Grid, Key, RichText, Window, vec2};
+use egui::{Align2, Context, Grid, RichText, Window, vec2};
 
 use super::action::Action;
 
@@ -9,8 +9,14 @@ const LOCAL: &[(&str, &str)] = &[
     ("Left, right", "To the mark before or after on the path"),
     ("Home, End", "To the first or last material"),
     ("A, B", "Put the material in focus at A or B"),
+    ("C", "Hold to see the second picture while flickering"),
+    ("Alt or Ctrl, click", "Pick a point on a sphere"),
+    ("Wheel, pinch", "Zoom pictures about the pointer; a double click shows all again"),
+    ("Shift + drag", "Move what pictures show, as other buttons do; a plain drag moves the light"),
     ("Tab", "To the next thing that takes keys"),
+    ("Ctrl+V", "Open the code on the clipboard as a material"),
     ("Esc", "Close what is in front"),
+    ("Alt + drag", "Explore the latent map"),
 ];
 
 /// One frame; whether it stays open.
@@ -28,5 +34,5 @@ pub fn show(context: &Context) -> bool {
             }
         });
     });
-    is_open && !context.input(|input| input.key_pressed(Key::Escape))
+    is_open
 }

@@ -53,11 +53,17 @@ impl History {
         }
     }
 
-    /// All but what is looked for in the list: nobody wants a word they typed to go away with a slider.
+    /// All but what is looked for in the list, with which tool, and where the map was moved: nobody wants a word they typed
+    /// to go away with a slider. And but the files that
+    /// are open, and where files are written to.
     fn restore(&self, session: &mut Session) {
-        let search = std::mem::take(&mut session.listing.search);
-        *session = self.present.clone();
-        session.listing.search = search;
+        let before = std::mem::replace(session, self.present.clone());
+        session.listing.search = before.listing.search;
+        (session.files, session.export) = (before.files, before.export);
+        session.pick.is_picking = before.pick.is_picking;
+        if session.map.projection == before.map.projection {
+            (session.map.centre, session.map.zoom) = (before.map.centre, before.map.zoom);
+        }
     }
 }
 
@@ -65,6 +71,10 @@ fn still(session: &Session) -> Session {
     let mut session = session.clone();
     session.blend.playing = None;
     session.listing.search.clear();
+    session.pick.is_picking = false;
+    session.map.reset();
+    session.files.clear();
+    session.export = Default::default();
     session
 }
 

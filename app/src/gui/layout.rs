@@ -2,7 +2,8 @@
 
 use egui::{Ui, WidgetText};
 use egui_tiles::{
-    Behavior, Container, Linear, LinearDir, SimplificationOptions, TabState, Tile, TileId, Tiles, Tree, UiResponse,
+    Behavior, Container, Linear, LinearDir, ResizeState, SimplificationOptions, TabState, Tile, TileId, Tiles, Tree,
+    UiResponse,
 };
 use serde::{Deserialize, Serialize};
 
@@ -13,20 +14,29 @@ use super::pane::{Desk, Pane};
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Layout(Tree<Pane>);
 
-impl Default for Layout {
-    /// Library left, stage in the middle, path and figures below it, inspector right.
-    fn default() -> Self {
+/// Below this width \[points\] the inspector shares a place with the library.
+const NARROW: f32 = 1100.0;
+
+impl Layout {
+    /// For a window so wide: library left, stage in the middle, path and figures below it, inspector right.
+    pub fn of(width: f32) -> Self {
         let mut tiles = Tiles::default();
-        let mut tabs = |panes: &[Pane]| {
-            let panes: Vec<TileId> = panes.iter().map(|&pane| tiles.insert_pane(pane)).collect();
+        let is_narrow = width < NARROW;
+        let mut tabs = |panes: &[&[Pane]]| {
+            let panes: Vec<TileId> = panes.concat().into_iter().map(|pane| tiles.insert_pane(pane)).collect();
             tiles.insert_tab_tile(panes)
         };
-        let library = tabs(&[Pane::Library]);
-        let stage = tabs(&[Pane::Stage]);
-        let below = tabs(&Pane::BELOW);
-        let right = tabs(&Pane::RIGHT);
+        let right: &[Pane] = &Pane::RIGHT;
+        let library = tabs(&[&[Pane::Library], if is_narrow { right } else { &[] }]);
+        let stage = tabs(&[&[Pane::Stage]]);
+        let below = tabs(&[&Pane::BELOW]);
+        let inspector = (!is_narrow).then(|| tabs(&[right]));
+        let share = |points: f32| points / width.max(1.0);
         let middle = linear(&mut tiles, LinearDir::Vertical, &[(stage, 0.58), (below, 0.42)]);
-        let all = linear(&mut tiles, LinearDir::Horizontal, &[(library, 0.17), (middle, 0.64), (right, 0.19)]);
+        let (left, right) = (share((0.17 * width).clamp(220.0, 320.0)), share((0.18 * width).clamp(230.0, 340.0)));
+        let mut columns = vec![(library, left), (middle, 1.0 - left - if is_narrow { 0.0 } else { right })];
+        columns.extend(inspector.map(|tile| (tile, right)));
+        let all = linear(&mut tiles, LinearDir::Horizontal, &columns);
         Self(Tree::new(egui::Id::unique("panes"), all, tiles))
     }
 }
@@ -98,6 +108,18 @@ impl Behavior<Pane> for Desk<'_> {
         if state.active { look::card_fill(visuals) } else { visuals.panel_fill }
     }
 
+    fn tab_outline_stroke(&self, _: &egui::Visuals, _: &Tiles<Pane>, _: TileId, _: &TabState) -> egui::Stroke {
+        egui::Stroke::NONE
+    }
+
+    fn resize_stroke(&self, style: &egui::Style, state: ResizeState) -> egui::Stroke {
+        match state {
+            ResizeState::Idle => egui::Stroke::new(1.0, style.visuals.widgets.noninteractive.bg_stroke.color),
+            ResizeState::Hovering => egui::Stroke::new(2.0, style.visuals.weak_text_color()),
+            ResizeState::Dragging => egui::Stroke::new(2.0, style.visuals.selection.stroke.color),
+        }
+    }
+
     fn tab_text_color(&self, visuals: &egui::Visuals, _: &Tiles<Pane>, _: TileId, state: &TabState) -> egui::Color32 {
         if state.active { visuals.text_color() } else { visuals.weak_text_color() }
     }
@@ -109,11 +131,13 @@ mod tests {
 
     #[test]
     fn a_layout_comes_back_from_its_file_and_one_that_lacks_a_pane_is_known() {
-        let layout = Layout::default();
-        assert!(layout.is_whole());
-        let text = serde_json::to_string(&layout).unwrap();
-        let again: Layout = serde_json::from_str(&text).unwrap();
-        assert_eq!(again, layout);
+        for width in [900.0, 1600.0] {
+            let layout = Layout::of(width);
+            assert!(layout.is_whole());
+            let text = serde_json::to_string(&layout).unwrap();
+            let again: Layout = serde_json::from_str(&text).unwrap();
+            assert_eq!(again, layout);
+        }
         assert!(!Layout(Tree::new_tabs(egui::Id::unique("panes"), vec![Pane::Stage])).is_whole());
     }
 }

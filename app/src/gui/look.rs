@@ -5,6 +5,7 @@ use egui::{
 };
 
 use super::session::letter;
+use crate::catalog::INTERPOLATIONS;
 
 /// Radius of cards and rows.
 pub const ROUND: u8 = 8;
@@ -24,6 +25,39 @@ const ACCENTS: [[[u8; 3]; 2]; 6] = [
     [[230, 140, 190], [175, 70, 130]],
     [[235, 225, 100], [140, 125, 0]],
     [[240, 125, 95], [195, 75, 30]],
+];
+
+/// The colour of a method, by its name in the catalog.
+pub fn method_colour(name: &str, visuals: &Visuals) -> Color32 {
+    series(method_place(name), visuals)
+}
+
+/// Whether a method's lines are dashed: there are more methods than colours that most people tell apart.
+pub fn is_dashed(name: &str) -> bool {
+    method_place(name) >= SERIES.len()
+}
+
+fn method_place(name: &str) -> usize {
+    INTERPOLATIONS.iter().position(|entry| entry.name == name).unwrap_or_default()
+}
+
+/// The colour of one of several series; after eight they come again.
+pub fn series(place: usize, visuals: &Visuals) -> Color32 {
+    let [dark, light] = SERIES[place % SERIES.len()];
+    let [r, g, b] = if visuals.dark_mode { dark } else { light };
+    Color32::from_rgb(r, g, b)
+}
+
+/// On dark and on light: told apart by most colour-blind people, too (after P. Tol 2021, scheme "bright").
+const SERIES: [[[u8; 3]; 2]; 8] = [
+    [[100, 155, 235], [45, 95, 175]],
+    [[240, 120, 135], [205, 50, 75]],
+    [[85, 195, 110], [30, 125, 50]],
+    [[225, 205, 85], [145, 125, 0]],
+    [[105, 210, 240], [0, 135, 170]],
+    [[205, 110, 175], [140, 40, 105]],
+    [[190, 190, 190], [105, 105, 105]],
+    [[240, 155, 85], [190, 95, 0]],
 ];
 
 /// Text on an accent.

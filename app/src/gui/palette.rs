@@ -17,6 +17,8 @@ pub enum Choice {
     Do(Action),
     /// A pane comes to the front.
     Go(Pane),
+    /// A kept blend is shown again.
+    Load(usize),
     /// A material is put at an end.
     Put(usize, String),
 }
@@ -26,6 +28,8 @@ pub enum Choice {
 pub struct Palette {
     text: String,
     chosen: usize,
+    /// Whether it was there when the pointer was last pressed: the click that opens it is beside it.
+    was_shown: bool,
 }
 
 impl Palette {
@@ -50,7 +54,9 @@ impl Palette {
                 }
             });
         });
-        let is_left = context.input(|input| input.pointer.any_click())
+        let was_shown = std::mem::replace(&mut self.was_shown, true);
+        let is_left = was_shown
+            && context.input(|input| input.pointer.any_click())
             && !context.pointer_interact_pos().is_some_and(|at| shown.response.rect.contains(at));
         (taken.is_none() && !escape && !enter && !is_left, taken)
     }
@@ -101,6 +107,8 @@ fn rows(text: &str, context: &Context, session: &Session, names: &[String]) -> V
         .filter(|action| **action != Action::Palette)
         .map(|&action| (Choice::Do(action), action.title().to_owned(), action.shown_key(context)));
     let panes = Pane::ALL.iter().map(|&pane| (Choice::Go(pane), format!("Show {}", pane.title()), String::new()));
+    let kept = session.blends.iter().enumerate();
+    let kept = kept.map(|(place, kept)| (Choice::Load(place), format!("Load blend {}", kept.name), String::new()));
     let ends = session.blend.ends.len();
     // Materials only once something is looked for: 134 names are no overview.
     let materials = names.iter().filter(|_| !words.trim().is_empty()).flat_map(|name| {
@@ -110,7 +118,7 @@ fn rows(text: &str, context: &Context, session: &Session, names: &[String]) -> V
         let title = plain(&row.1);
         words.split_whitespace().all(|word| title.contains(word))
     };
-    actions.chain(panes).chain(materials).filter(matches).take(MOST).collect()
+    actions.chain(panes).chain(kept).chain(materials).filter(matches).take(MOST).collect()
 }
 
 #[cfg(test)]
@@ -119,12 +127,14 @@ mod tests {
 
     #[test]
     fn a_few_letters_find_an_action_a_pane_and_a_material() {
-        let (context, session) = (Context::default(), Session::default());
+        let (context, mut session) = (Context::default(), Session::default());
+        session.keep_blend("bronze age");
         let names = ["blue-fabric".to_owned(), "chrome".to_owned()];
         let found =
             |text: &str| rows(text, &context, &session, &names).into_iter().map(|row| row.0).collect::<Vec<_>>();
         assert_eq!(found("redo"), [Choice::Do(Action::Redo)]);
         assert_eq!(found("show lib"), [Choice::Go(Pane::Library)]);
+        assert_eq!(found("load bronze"), [Choice::Load(0)]);
         assert_eq!(found("fabric b")[1], Choice::Put(1, "blue-fabric".to_owned()));
         assert!(found("").iter().all(|choice| !matches!(choice, Choice::Put(..))));
     }

@@ -31,7 +31,12 @@ impl Scrubber<'_> {
         {
             scrubber.request_focus();
             let [low, high] = session.blend.range();
-            session.blend.go_to(low + (high - low) * (pointer.x - rail.left()) / rail.width());
+            let t = low + (high - low) * (pointer.x - rail.left()) / rail.width();
+            // A click on a badge goes to its material.
+            let near = 9.0 * (high - low) / rail.width();
+            let mut keys = (0..session.blend.ends.len()).map(|end| session.blend.key(end));
+            let key = keys.find(|key| scrubber.clicked() && (key - t).abs() <= near);
+            session.blend.go_to(key.unwrap_or(t));
             scrubber.mark_changed();
         }
         keys(ui, &scrubber, session);

@@ -1,19 +1,43 @@
 //! What the user chose; every change is a plain function, so that tests need no window.
 
 mod blend;
+mod compare;
+mod export;
+mod figures;
+mod kept;
 mod listing;
 mod look;
+mod map;
+mod mend;
 mod methods;
+mod pick;
+mod polygon;
+mod scene;
+mod slots;
+mod sort;
+
+use std::path::PathBuf;
 
 use egui::ThemePreference;
 use serde::{Deserialize, Serialize};
 
-pub use blend::{BEYOND, Blend, MOST_ENDS, TICKS, Towards, Way, corners, letter};
-pub use listing::Listing;
+pub use crate::worker::export::PictureForm;
+pub use blend::{BEYOND, Blend, TICKS, Towards, Way, letter};
+pub use compare::{Compare, Mode, Pair};
+pub use export::{Export, SIZES, STEPS, What, name_of as export_name_of};
+pub use figures::{Channel, Figure, FigureChoice, Quantity, Radius};
+pub use kept::KeptBlend;
+pub use listing::{Listing, shown};
 pub use look::{LAMP, Look, MAX_EXPOSURE};
+pub use map::{MapView, Tint};
 pub use methods::Methods;
+pub use pick::Pick;
+pub use polygon::corners;
+pub use scene::{Scene, Shown, TOLERANCES};
+pub use slots::MOST_ENDS;
+pub use sort::Sort;
 
-use crate::worker::Card;
+use crate::worker::{Card, Explored};
 
 /// Everything the user can change.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -31,6 +55,24 @@ pub struct Session {
     pub theme: ThemePreference,
     /// Which materials are listed.
     pub listing: Listing,
+    /// How spheres are compared.
+    pub compare: Compare,
+    /// Which place of the spheres is looked at closely.
+    pub pick: Pick,
+    /// Which figure is shown, and of what.
+    pub figures: FigureChoice,
+    /// How the latent map is looked at.
+    pub map: MapView,
+    /// A place of the latent map that has a sphere of its own.
+    pub explored: Option<Explored>,
+    /// Which scene is planned, and how.
+    pub scene: Scene,
+    /// Blends kept under names.
+    pub blends: Vec<KeptBlend>,
+    /// What is written to files, and where to.
+    pub export: Export,
+    /// Files that are open, in the order they were opened; the next start opens them again.
+    pub files: Vec<PathBuf>,
 }
 
 impl Default for Session {
@@ -42,22 +84,32 @@ impl Default for Session {
             strips: true,
             theme: ThemePreference::System,
             listing: Listing::default(),
+            compare: Compare::default(),
+            pick: Pick::default(),
+            figures: FigureChoice::default(),
+            map: MapView::default(),
+            explored: None,
+            scene: Scene::default(),
+            blends: Vec::new(),
+            export: Export::default(),
+            files: Vec::new(),
         }
     }
 }
 
 impl Session {
-    /// Exposure, light and place as at the start; materials and methods stay.
+    /// Exposure, light, zoom and place as at the start; materials, methods, shape and tone curve stay.
     pub fn reset(&mut self) {
         let Blend { t, place, playing, .. } = Blend::default();
         (self.blend.t, self.blend.place, self.blend.playing) = (t, place, playing);
-        self.look = Look::default();
+        self.look.reset();
     }
 
     /// The spheres from left to right.
     pub fn cards(&self) -> Vec<Card> {
         let methods = self.methods.0.iter().map(|&method| Card::Method(method));
         let others = (1..self.blend.ends.len()).map(Card::End);
-        std::iter::once(Card::End(0)).chain(methods).chain(others).collect()
+        let explored = self.explored.map(|_| Card::Explored);
+        std::iter::once(Card::End(0)).chain(methods).chain(others).chain(explored).collect()
     }
 }

@@ -1,12 +1,13 @@
 //! The session's file: written while one works, read at the next start, so that a crash loses a second at most.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::thread::JoinHandle;
 use std::time::{Duration, Instant};
 
 use nbrdf_core::atomic;
 use serde::{Deserialize, Serialize};
+use serde_json::Value;
 
 use super::{Layout, Session};
 use crate::worker::Mailbox;
@@ -23,16 +24,16 @@ pub struct Saved {
     schema: u32,
     /// What the user chose.
     pub session: Session,
-    /// Where the panes are.
-    pub layout: Layout,
+    /// Where the panes are, if they were ever shown.
+    pub layout: Option<Layout>,
     /// Size of the window \[points\].
     pub window: Option<[f32; 2]>,
 }
 
 impl Saved {
     /// For the file.
-    pub fn new(session: &Session, layout: &Layout, window: Option<[f32; 2]>) -> Self {
-        Self { schema: SCHEMA, session: session.clone(), layout: layout.clone(), window }
+    pub fn new(session: &Session, layout: Option<&Layout>, window: Option<[f32; 2]>) -> Self {
+        Self { schema: SCHEMA, session: session.clone(), layout: layout.cloned(), window }
     }
 }
 
@@ -57,32 +58,58 @@ pub enum Found {
 /// Where sessions are kept on this system.
 pub fn file() -> Option<PathBuf> {
     match std::env::var_os(VARIABLE) {
-        Some(own) => (!own.is_empty()).then(|| own.into()),
+        Some(_) => named(),
         None => Some(directories::ProjectDirs::from("", "", "nbrdf")?.data_local_dir().join("session.json")),
     }
 }
 
+/// Where sessions are kept by the user's own word.
+pub fn named() -> Option<PathBuf> {
+    std::env::var_os(VARIABLE).filter(|own| !own.is_empty()).map(PathBuf::from)
+}
+
 /// Reads a session. A file that is none is put aside, so that nothing is lost.
-pub fn read(file: &std::path::Path) -> Found {
+pub fn read(file: &Path) -> Found {
     let text = match nbrdf_core::bounded::read(file, MOST_BYTES) {
         Ok(Some(text)) => text,
         Ok(None) => return Found::Damaged(format!("{}: too large for a session", file.display())),
         Err(error) if error.kind() == std::io::ErrorKind::NotFound => return Found::Nothing,
         Err(error) => return Found::Damaged(format!("{}: {error}", file.display())),
     };
-    let why = match serde_json::from_slice::<Saved>(&text) {
-        Ok(saved) if saved.schema == SCHEMA => {
-            return Found::Session(Box::new(saved));
-        }
-        Ok(saved) => format!("expected schema {SCHEMA}, found {}", saved.schema),
-        Err(error) => format!("expected a session, found {error}"),
+    let why = match parse(&text) {
+        Ok(saved) => return Found::Session(Box::new(saved)),
+        Err(why) => why,
     };
-    let aside = file.with_extension("damaged.json");
+    let aside = free(&file.with_extension("damaged.json"));
     let kept = match std::fs::rename(file, &aside) {
         Ok(()) => format!("it is kept as {}", aside.display()),
         Err(error) => format!("it could not be put aside: {error}"),
     };
     Found::Damaged(format!("{}: {why}; {kept}, and a new session begins", file.display()))
+}
+
+/// A session in range; panes that are not understood are arranged anew.
+fn parse(text: &[u8]) -> Result<Saved, String> {
+    let found: Value = serde_json::from_slice(text).map_err(|error| format!("expected a session, found {error}"))?;
+    let schema = found.get("schema").and_then(Value::as_u64);
+    if schema != Some(SCHEMA.into()) {
+        return Err(format!("expected a session of schema {SCHEMA}, found {schema:?}"));
+    }
+    let part = |name: &str| found.get(name).cloned().unwrap_or_default();
+    let session: Session =
+        serde_json::from_value(part("session")).map_err(|error| format!("expected a session, found {error}"))?;
+    let layout = serde_json::from_value(part("layout")).ok().flatten();
+    let window = serde_json::from_value(part("window")).ok().flatten();
+    Ok(Saved { schema: SCHEMA, session: session.mended(), layout, window })
+}
+
+/// The path, or the first with a number that is not taken.
+fn free(path: &Path) -> PathBuf {
+    let numbered = |number: u32| match number {
+        0 => path.to_owned(),
+        _ => path.with_extension(format!("{number}.json")),
+    };
+    (0..1000).map(numbered).find(|path| !path.exists()).unwrap_or_else(|| path.to_owned())
 }
 
 /// A session is some kilobytes.
@@ -103,11 +130,14 @@ impl Store {
         Self { letters, writer: Some(writer), last: None, next: Instant::now() }
     }
 
-    /// Keeps what is there now, if it is news and the last is a while ago.
-    pub fn keep(&mut self, session: &Session, layout: &Layout, window: Option<[f32; 2]>) {
-        if Instant::now() >= self.next {
-            self.put(Saved::new(session, layout, window));
+    /// Keeps what is there now, if it is news and the last is a while ago; else how long to wait with it.
+    pub fn keep(&mut self, session: &Session, layout: Option<&Layout>, window: Option<[f32; 2]>) -> Option<Duration> {
+        let rest = self.next.saturating_duration_since(Instant::now());
+        if !rest.is_zero() {
+            return Some(rest);
         }
+        self.put(Saved::new(session, layout, window));
+        None
     }
 
     /// Keeps what is there at the end; returns once it is written.
@@ -126,7 +156,7 @@ impl Store {
     }
 }
 
-fn write(file: &std::path::Path, saved: &Saved) -> std::io::Result<()> {
+fn write(file: &Path, saved: &Saved) -> std::io::Result<()> {
     file.parent().map_or(Ok(()), std::fs::create_dir_all)?;
     atomic::write(file, &serde_json::to_vec_pretty(saved)?)
 }
@@ -143,8 +173,8 @@ mod tests {
         let mut session = Session::default();
         session.blend.go_to(0.125);
         let mut store = Store::new(file.clone(), |why| panic!("{why}"));
-        store.keep(&Session::default(), &Layout::default(), None);
-        let saved = Saved::new(&session, &Layout::default(), Some([900.0, 600.0]));
+        store.keep(&Session::default(), None, None);
+        let saved = Saved::new(&session, Some(&Layout::of(1280.0)), Some([900.0, 600.0]));
         store.finish(saved.clone());
         let Found::Session(found) = read(&file) else { panic!("no session") };
         assert_eq!(*found, saved);
@@ -154,12 +184,17 @@ mod tests {
     fn a_damaged_file_is_put_aside() {
         let folder = tempfile::tempdir().unwrap();
         let file = folder.path().join("session.json");
-        for text in ["{", r#"{"schema": 1}"#, "[]"] {
+        let asides = ["session.damaged.json", "session.damaged.1.json", "session.damaged.2.json"];
+        for (text, aside) in ["{", r#"{"schema": 1}"#, "[]"].into_iter().zip(asides) {
             std::fs::write(&file, text).unwrap();
             let Found::Damaged(why) = read(&file) else { panic!("{text} was taken") };
             assert!(why.contains("session.json") && why.contains("damaged"), "{why}");
-            assert_eq!(std::fs::read_to_string(folder.path().join("session.damaged.json")).unwrap(), text);
+            assert_eq!(std::fs::read_to_string(folder.path().join(aside)).unwrap(), text);
             assert!(!file.exists());
         }
+        let foreign = r#"{"schema": 1, "session": {"blend": {"t": 0.25}}, "layout": {"root": 7}, "window": "wide"}"#;
+        std::fs::write(&file, foreign).unwrap();
+        let Found::Session(found) = read(&file) else { panic!("a session of another version") };
+        assert_eq!((found.session.blend.t, found.layout, found.window), (0.25, None, None));
     }
 }

@@ -1,10 +1,10 @@
-//! Whole paths as film strips: the material at nine points of each, and where t is among them.
+//! Whole paths as film strips: the material at some points of each, and where t is among them.
 
-use egui::{Align2, Color32, FontId, Rect, Sense, Stroke, Ui, Vec2, WidgetInfo, pos2, vec2};
+use egui::{Align2, Color32, FontId, Rect, Sense, Shape, Stroke, Ui, Vec2, WidgetInfo, pos2, vec2};
 
 use super::{Gallery, Session, look};
 use crate::catalog::Catalog;
-use crate::worker::{Card, STRIP_STEPS};
+use crate::worker::{Card, Tour};
 
 /// Smallest side of a frame.
 pub const SMALLEST: f32 = 36.0;
@@ -26,10 +26,10 @@ pub fn height(strips: usize, frame: f32) -> f32 {
     8.0 + strips as f32 * (frame + GAP) - GAP + TOP + BOTTOM
 }
 
-/// Side of a frame for strips that must fit here \[points\].
-pub fn fit(available: Vec2, strips: usize) -> f32 {
+/// Side of a frame for strips of so many frames that must fit here \[points\].
+pub fn fit(available: Vec2, strips: usize, frames: usize) -> f32 {
     let high = (available.y - height(strips, 0.0)) / strips as f32;
-    let wide = (available.x - LABEL - 24.0) / STRIP_STEPS as f32;
+    let wide = (available.x - LABEL - 24.0) / frames as f32;
     high.min(wide).clamp(SMALLEST, LARGEST)
 }
 
@@ -50,23 +50,30 @@ impl Strips<'_> {
         );
         let first = area.left() + LABEL + frame / 2.0;
         let last = area.right() - 12.0 - frame / 2.0;
-        let x = |t: f32| first + t * (last - first);
+        let (tour, ends) = (session.blend.tour(), session.blend.ends.len());
+        let x = |place: f32| first + tour.share(place) * (last - first);
         // Behind the spheres, so that it hides none.
-        let bar =
-            Rect::from_center_size(pos2(x(session.blend.t), area.center().y), vec2(frame + 4.0, area.height() - 2.0));
-        painter.rect_filled(bar, look::ROUND, visuals.selection.bg_fill.gamma_multiply(0.5));
-        painter.vline(x(session.blend.t), bar.y_range(), Stroke::new(1.5, visuals.selection.stroke.color));
+        if let Some(place) = session.blend.on_tour() {
+            let is_outside = session.blend.is_outside();
+            let colour = if is_outside { visuals.warn_fg_color } else { visuals.selection.stroke.color };
+            let bar = Rect::from_center_size(pos2(x(place), area.center().y), vec2(frame + 4.0, area.height() - 2.0));
+            painter.rect_filled(bar, look::ROUND, visuals.selection.bg_fill.gamma_multiply(0.5));
+            painter.vline(x(place), bar.y_range(), Stroke::new(1.5, colour));
+        }
         let mut chosen = None;
         for (row, &method) in session.methods.0.iter().enumerate() {
             let y = area.top() + TOP + frame / 2.0 + row as f32 * (frame + GAP);
             let title = Catalog::interpolation_entry(method).map_or(method, |entry| entry.title);
             let at = pos2(area.left() + 12.0, y);
             painter.text(at, Align2::LEFT_CENTER, title, FontId::proportional(12.5), visuals.weak_text_color());
-            for step in 0..STRIP_STEPS {
-                let t = step as f32 / (STRIP_STEPS - 1) as f32;
+            for step in 0..tour.frames(ends) {
+                let t = tour.place(step, ends);
+                let is_outside = tour == Tour::Beyond && !(0.0..=1.0).contains(&t);
                 let rect = Rect::from_center_size(pos2(x(t), y), Vec2::splat(frame));
                 let point = ui.interact(rect, ui.scope_id().with(("strip", method, step)), Sense::click());
-                point.widget_info(|| WidgetInfo::labeled(egui::Role::Button, true, format!("{title} at {t:.3}")));
+                let beyond = if is_outside { ", beyond the ends" } else { "" };
+                let label = format!("{title} at {t:.3}{beyond}");
+                point.widget_info(|| WidgetInfo::labeled(egui::Role::Button, true, &label));
                 match gallery.frame(Card::Method(method), step) {
                     Some(texture) => {
                         let whole = Rect::from_min_max(pos2(0.0, 0.0), pos2(1.0, 1.0));
@@ -77,13 +84,22 @@ impl Strips<'_> {
                         painter.circle_filled(rect.center(), 0.495 * frame, quiet);
                     }
                 }
-                if point.clicked() {
+                if is_outside {
+                    let stroke = Stroke::new(2.0, visuals.warn_fg_color.gamma_multiply(0.7));
+                    let line = [rect.left_bottom() + vec2(4.0, 2.0), rect.right_bottom() + vec2(-4.0, 2.0)];
+                    painter.extend(Shape::dashed_line(&line, stroke, 5.0, 4.0));
+                }
+                if point.has_focus() {
+                    let stroke = Stroke::new(1.5, visuals.selection.stroke.color);
+                    painter.rect_stroke(rect, look::ROUND, stroke, egui::StrokeKind::Outside);
+                }
+                if point.on_hover_text(label).clicked() {
                     chosen = Some(t);
                 }
             }
         }
         if let Some(t) = chosen {
-            session.blend.go_to(t);
+            session.blend.tour_to(t);
         }
     }
 }

@@ -1,51 +1,73 @@
 //! The window around the workbench.
 
+mod camera;
+mod stopwatch;
+
 use std::path::PathBuf;
-use std::sync::mpsc;
 use std::time::Instant;
 
 use eframe::NativeOptions;
-use egui::{ColorImage, Ui, ViewportBuilder, ViewportCommand};
-use nbrdf_core::{Image, Rgb, image::DISPLAY_GAMMA};
+use egui::{Ui, ViewportBuilder};
 
 use super::{App, Layout, Session, Workbench};
-use crate::worker::Stock;
+use crate::worker::{self, Cache, Stock};
+use camera::Camera;
+use stopwatch::Stopwatch;
 
 /// What the window opens with.
 #[derive(Default)]
 pub struct Opening {
     pub session: Session,
-    pub layout: Layout,
+    pub layout: Option<Layout>,
     /// Size \[points\].
     pub size: Option<[f32; 2]>,
     /// Where the session is kept.
     pub file: Option<PathBuf>,
     /// Something to tell at once.
-    pub notice: Option<String>,
+    pub notices: Vec<String>,
 }
 
 /// Opens the window; returns when it is closed.
 pub fn open(app: App, opening: Opening) -> eframe::Result {
     let start = Instant::now();
+    worker::prepare();
     let [width, height] = opening.size.unwrap_or([1280.0, 800.0]).map(|side| side.max(480.0));
     let viewport = ViewportBuilder::default()
         .with_title("nbrdf")
         .with_app_id("nbrdf")
         .with_inner_size([width, height])
         .with_min_inner_size([640.0, 480.0]);
-    let options =
-        NativeOptions { viewport, centered: true, dithering: app.screenshot.is_none(), ..NativeOptions::default() };
-    let create = move |_: &eframe::CreationContext| {
-        let mut workbench = Workbench::new(Stock::built_in(), opening.session);
+    let options = NativeOptions {
+        viewport,
+        centered: true,
+        dithering: !app.is_filmed(),
+        renderer: app.renderer.drawn_by(app.instead.is_some()),
+        ..NativeOptions::default()
+    };
+    let create = move |creation: &eframe::CreationContext| {
+        if app.is_filmed() {
+            // Wherever the pointer happens to be.
+            creation.egui_ctx.all_styles_mut(|style| style.interaction.tooltip_delay = f32::INFINITY);
+        }
+        // Pictures of the window leave no trace.
+        let cache = if app.is_filmed() { Cache::default() } else { Cache::of_system() };
+        let stock = Stock { cache, ..Stock::built_in() };
+        let mut workbench = Workbench::new(stock, opening.session);
         workbench.layout = opening.layout;
-        opening.notice.into_iter().for_each(|notice| workbench.gallery.notify(notice));
+        opening.notices.into_iter().for_each(|notice| workbench.gallery.notify(notice));
         let workbench = match opening.file {
             Some(file) => workbench.keeping(file),
             None => workbench,
         };
+        let mut workbench = workbench;
+        if let Some(pane) = app.pane {
+            workbench.layout.get_or_insert_with(|| Layout::of(width)).bring(pane);
+        }
         app.files.iter().for_each(|file| workbench.open(file.clone()));
-        let camera = app.screenshot.map(Camera::new);
-        Ok(Box::new(Window { workbench, camera, start, frames: 0, size: None }) as Box<dyn eframe::App>)
+        let film = app.film.as_deref().map(|folder| Camera::film(folder, app.frames));
+        let camera = app.screenshot.map(Camera::still).or(film);
+        let stopwatch = app.report.map(|file| Stopwatch::new(file, app.drive, start));
+        Ok(Box::new(Window { workbench, camera, stopwatch, size: None }) as Box<dyn eframe::App>)
     };
     eframe::run_native("nbrdf", options, Box::new(create))
 }
@@ -53,69 +75,28 @@ pub fn open(app: App, opening: Opening) -> eframe::Result {
 struct Window {
     workbench: Workbench,
     camera: Option<Camera>,
-    start: Instant,
-    frames: u32,
+    stopwatch: Option<Stopwatch>,
     /// Of what is within the window \[points\].
     size: Option<[f32; 2]>,
 }
 
 impl eframe::App for Window {
-    fn ui(&mut self, ui: &mut Ui, _frame: &mut eframe::Frame) {
-        // The second frame begins when the first is on the screen.
-        if self.frames == 1 && self.camera.is_some() {
-            eprintln!("first frame after {} ms", self.start.elapsed().as_millis());
+    fn ui(&mut self, ui: &mut Ui, frame: &mut eframe::Frame) {
+        if let Some(stopwatch) = &mut self.stopwatch {
+            stopwatch.watch(ui.ctx(), &mut self.workbench, frame.info().cpu_usage);
         }
-        self.frames = self.frames.saturating_add(1);
         self.workbench.ui(ui);
         if let Some(camera) = &mut self.camera {
-            camera.watch(ui, &self.workbench, self.start);
+            camera.watch(ui, &mut self.workbench);
         }
         let size = ui.ctx().content_rect().size();
         self.size = Some([size.x, size.y]);
     }
 
     fn on_exit(&mut self, _: Option<&eframe::glow::Context>) {
+        if let Some(stopwatch) = &self.stopwatch {
+            stopwatch.finish(&self.workbench);
+        }
         self.workbench.finish(self.size);
     }
-}
-
-/// Takes one picture of the window once everything is shown.
-struct Camera {
-    file: PathBuf,
-    film: Option<mpsc::Receiver<std::sync::Arc<ColorImage>>>,
-    settled: u32,
-}
-
-impl Camera {
-    fn new(file: PathBuf) -> Self {
-        Self { file, film: None, settled: 0 }
-    }
-
-    fn watch(&mut self, ui: &Ui, workbench: &Workbench, start: Instant) {
-        if let Some(film) = &self.film {
-            let Ok(image) = film.try_recv() else { return ui.ctx().request_repaint() };
-            eprintln!("everything shown after {} ms", start.elapsed().as_millis());
-            if let Err(error) = linear(&image).write_png(&self.file) {
-                eprintln!("error: {error}");
-            }
-            ui.ctx().send_viewport_cmd(ViewportCommand::Close);
-            return;
-        }
-        let is_complete = workbench.is_settled() && workbench.gallery.is_complete();
-        // A few frames more, so that nothing is caught fading in.
-        self.settled = if is_complete { self.settled + 1 } else { 0 };
-        if self.settled > 20 {
-            let (sender, film) = mpsc::channel();
-            ui.ctx().request_screenshot(move |image| drop(sender.send(image)));
-            self.film = Some(film);
-        }
-        ui.ctx().request_repaint();
-    }
-}
-
-/// Display bytes as the linear picture that is displayed as them.
-fn linear(image: &ColorImage) -> Image {
-    let value = |byte: u8| (f32::from(byte) / 255.0).powf(DISPLAY_GAMMA);
-    let pixels = image.pixels.iter().map(|pixel| Rgb([pixel.r(), pixel.g(), pixel.b()].map(value)));
-    Image::new(image.width(), image.height(), pixels.collect())
 }

@@ -1,32 +1,34 @@
 //! All panes, and what passes between them and the worker.
 
+mod act;
+mod ask;
+
 use std::path::PathBuf;
 use std::sync::{Arc, OnceLock};
 
-use egui::{CentralPanel, Context, Frame, Margin, Panel, ThemePreference, Ui};
+use egui::{CentralPanel, Context, Frame, Key, Margin, Panel, Popup, Ui};
 
 use super::action::Action;
+use super::exports::{Exports, Wish};
 use super::header::Header;
-use super::help;
 use super::history::History;
 use super::notices::Notices;
 use super::palette::{Choice, Palette};
-use super::pane::{Desk, Wanted};
-use super::session::MAX_EXPOSURE;
+use super::pane::{Desk, Pane, Wanted};
+use super::shelf::{Errand, Opener};
 use super::status::Status;
 use super::store::{Saved, Store};
-use super::{Gallery, Layout, Session, look};
-use crate::worker::{Answer, Lighting, Request, Stock, Timing, Worker};
-
-/// Largest picture of a sphere in pixels; beyond, it is enlarged.
-const MOST_PIXELS: usize = 640;
+use super::{Gallery, Layout, Session, drag, help, look};
+use crate::worker::export;
+use crate::worker::scene::News;
+use crate::worker::{Answer, Inquiry, Lighting, MapRequest, Probe, Question, Request, Shape, Stock, Worker};
 
 /// The whole app but its window.
 pub struct Workbench {
     /// What the user chose.
     pub session: Session,
-    /// Where the panes are.
-    pub layout: Layout,
+    /// Where the panes are; made to the window's size where nothing is known.
+    pub layout: Option<Layout>,
     /// What the worker answered.
     pub gallery: Gallery,
     history: History,
@@ -34,6 +36,10 @@ pub struct Workbench {
     worker: Worker,
     context: Arc<OnceLock<Context>>,
     asked: Option<(u64, Request)>,
+    probed: Option<Probe>,
+    questioned: Option<Question>,
+    asked_map: Option<MapRequest>,
+    inquired: Option<Inquiry>,
     passing: Passing,
 }
 
@@ -43,6 +49,11 @@ struct Passing {
     palette: Option<Palette>,
     is_helping: bool,
     is_searching: bool,
+    /// Whether a text had the focus in the last frame: Esc takes it away before anything else is asked.
+    was_typing: bool,
+    exports: Option<Exports>,
+    opener: Opener,
+    errands: Vec<Errand>,
 }
 
 impl Workbench {
@@ -53,13 +64,22 @@ impl Workbench {
         let window = Arc::clone(&context);
         let wake = move || window.get().into_iter().for_each(Context::request_repaint);
         let worker = Worker::start(stock, wake);
+        let mut gallery = Gallery::of(names, worker.plates());
+        gallery.is_reopened = session.files.is_empty();
+        if !gallery.is_reopened {
+            worker.reopen(session.files.clone());
+        }
         Self {
             history: History::new(&session),
-            gallery: Gallery::of(names, worker.plates()),
-            layout: Layout::default(),
+            layout: None,
             store: None,
             passing: Passing::default(),
             asked: None,
+            probed: None,
+            questioned: None,
+            asked_map: None,
+            inquired: None,
+            gallery,
             session,
             worker,
             context,
@@ -74,9 +94,12 @@ impl Workbench {
         self
     }
 
-    /// Adds the materials of a file.
+    /// Adds the materials of a file, unless it is one of the last session's, or plans the scene in it.
     pub fn open(&self, path: PathBuf) {
-        self.worker.open(path);
+        let is_known = std::path::absolute(&path).is_ok_and(|path| self.session.files.contains(&path));
+        if !is_known {
+            self.worker.open(path);
+        }
     }
 
     /// Whether everything asked for is on the screen.
@@ -87,7 +110,7 @@ impl Workbench {
     /// Writes the session a last time, where it is kept.
     pub fn finish(&mut self, window: Option<[f32; 2]>) {
         if let Some(mut store) = self.store.take() {
-            store.finish(Saved::new(&self.session, &self.layout, window));
+            store.finish(Saved::new(&self.session, self.layout.as_ref(), window));
         }
     }
 
@@ -99,22 +122,42 @@ impl Workbench {
             // What was answered before there was anything to wake.
             ui.ctx().request_repaint();
         }
-        for answer in self.worker.answers() {
-            // Whoever opens a map wants to see it.
-            if let Answer::Surround(_, map) = &answer {
-                self.session.look.scenery.lighting = Lighting::Around { map: *map, turn: 0.0 };
-            }
-            self.gallery.take(ui.ctx(), answer);
-        }
-        self.inputs(ui);
+        let answers: Vec<Answer> = self.worker.answers().collect();
+        answers.into_iter().for_each(|answer| self.take(ui.ctx(), answer));
         let theme = self.session.theme;
+        self.inputs(ui);
+        let had_point = self.session.pick.at.is_some();
         let wanted = self.panels(ui);
+        if self.session.pick.at.is_some() && !had_point {
+            self.bring(Pane::Point);
+        }
         self.overlays(ui.ctx());
         if self.session.theme != theme {
             ui.ctx().set_theme(self.session.theme);
         }
-        self.ask(wanted, ui.pixels_per_point());
+        self.question(&wanted);
+        self.ask(&wanted, ui.pixels_per_point());
         self.remember(ui.ctx());
+    }
+
+    /// What an answer changes of the session, and what it shows.
+    fn take(&mut self, context: &Context, answer: Answer) {
+        match &answer {
+            // Whoever opens a map wants to see it.
+            Answer::Surround(_, map) => {
+                self.session.look.scenery.lighting = Lighting::Around { map: *map, turn: 0.0 };
+            }
+            Answer::Solid(_, place) => self.session.look.show_on(Shape::Mesh(*place)),
+            Answer::Kept(path, _) if !self.session.files.contains(path) => self.session.files.push(path.clone()),
+            Answer::Lost(path) => self.session.files.retain(|file| file != path),
+            Answer::Scene(News::Named(path)) => {
+                self.session.scene.open_file(path.clone());
+                self.bring(Pane::Scene);
+            }
+            Answer::Export(export::News::Code(code)) => context.copy_text(code.clone()),
+            _ => {}
+        }
+        self.gallery.take(context, answer);
     }
 
     fn inputs(&mut self, ui: &Ui) {
@@ -123,44 +166,37 @@ impl Workbench {
             (input.stable_dt.min(0.1), dropped)
         });
         self.session.blend.advance(seconds);
+        if self.session.blend.playing.is_some() {
+            ui.ctx().request_repaint();
+        }
         dropped.into_iter().for_each(|path| self.worker.open(path));
+        let is_typing = ui.ctx().text_edit_focused() || self.passing.palette.is_some();
+        if !is_typing && let Some(text) = pasted(ui) {
+            self.worker.open_code(text);
+        }
         // An open palette has the keyboard for itself.
         if self.passing.palette.is_none() {
             Action::pressed(ui.ctx()).into_iter().for_each(|action| self.act(action, ui.ctx()));
+            self.escape(ui.ctx());
         }
     }
 
-    /// Does something that was asked for by key, by button or by name.
-    pub fn act(&mut self, action: Action, context: &Context) {
-        let Session { blend, look, .. } = &mut self.session;
-        match action {
-            Action::Palette => self.passing.palette = Some(Palette::default()),
-            Action::Help => self.passing.is_helping = !self.passing.is_helping,
-            Action::Undo => self.history.undo(&mut self.session),
-            Action::Redo => self.history.redo(&mut self.session),
-            Action::Search => {
-                self.layout.bring(super::pane::Pane::Library);
-                self.passing.is_searching = true;
-            }
-            Action::Play => blend.toggle_play(),
-            Action::Swap => blend.swap(),
-            Action::Beyond => {
-                blend.is_beyond = !blend.is_beyond;
-                blend.go_to(blend.t);
-            }
-            Action::Timing if blend.timing == Timing::Even => blend.timing = Timing::Straight,
-            Action::Timing => blend.timing = Timing::Even,
-            Action::Reset => self.session.reset(),
-            Action::Brighter => look.exposure = (look.exposure + 0.5).min(MAX_EXPOSURE),
-            Action::Darker => look.exposure = (look.exposure - 0.5).max(-MAX_EXPOSURE),
-            Action::Light => look.next_light(self.gallery.maps.len()),
-            Action::Strips => self.session.strips = !self.session.strips,
-            Action::Theme => {
-                let is_dark = context.theme() == egui::Theme::Dark;
-                self.session.theme = if is_dark { ThemePreference::Light } else { ThemePreference::Dark };
-            }
-            Action::Arrange => self.layout = Layout::default(),
+    /// Esc closes what is in front: popups and texts by themselves, then the help, then what is explored.
+    fn escape(&mut self, context: &Context) {
+        let is_others = self.passing.was_typing || self.passing.exports.is_some() || Popup::is_any_open(context);
+        if is_others || !context.input(|input| input.key_pressed(Key::Escape)) {
+            return;
         }
+        if self.passing.is_helping {
+            self.passing.is_helping = false;
+        } else {
+            self.act(Action::Leave, context);
+        }
+    }
+
+    /// Brings a pane to the front of its stack.
+    pub fn bring(&mut self, pane: Pane) {
+        self.layout.iter_mut().for_each(|layout| layout.bring(pane));
     }
 
     fn panels(&mut self, ui: &mut Ui) -> Wanted {
@@ -180,10 +216,27 @@ impl Workbench {
         if !gallery.notices.is_empty() {
             Panel::top("notices").frame(frame(12, 6)).show(ui, |ui| Notices { gallery }.show(ui));
         }
-        let is_searching = &mut self.passing.is_searching;
-        let mut desk = Desk { session: &mut self.session, gallery, is_searching, wanted: Wanted::default() };
-        CentralPanel::default().frame(Frame::new().fill(fill)).show(ui, |ui| self.layout.show(ui, &mut desk));
-        desk.wanted
+        let Passing { is_searching, opener, errands, .. } = &mut self.passing;
+        let session = &mut self.session;
+        let mut desk = Desk { session, gallery, is_searching, opener, errands, wanted: Wanted::default() };
+        CentralPanel::default().frame(Frame::new().fill(fill)).show(ui, |ui| {
+            let layout = self.layout.get_or_insert_with(|| Layout::of(ui.available_width()));
+            layout.show(ui, &mut desk);
+        });
+        let wanted = desk.wanted;
+        self.run_errands();
+        wanted
+    }
+
+    /// What the library asked for.
+    fn run_errands(&mut self) {
+        for errand in self.passing.errands.drain(..) {
+            match errand {
+                Errand::Choose => self.worker.choose(),
+                Errand::Open(path) => self.worker.open(path),
+                Errand::Cancel(job) => self.worker.cancel(job),
+            }
+        }
     }
 
     fn overlays(&mut self, context: &Context) {
@@ -194,47 +247,53 @@ impl Workbench {
             }
             match choice {
                 Some(Choice::Do(action)) => self.act(action, context),
-                Some(Choice::Go(pane)) => self.layout.bring(pane),
+                Some(Choice::Go(pane)) => self.bring(pane),
+                Some(Choice::Load(place)) => self.session.load_blend(place),
                 Some(Choice::Put(end, name)) => self.session.blend.choose(end, &name),
+                None => {}
+            }
+        }
+        if let Some(exports) = &mut self.passing.exports {
+            let (stays, wish) = exports.show(context, &mut self.session, &self.gallery);
+            if !stays {
+                self.passing.exports = None;
+            }
+            match wish {
+                Some(Wish::Look(files)) => self.worker.look_for(files),
+                Some(Wish::Write(job)) => {
+                    self.gallery.files.progress = Some(0.0);
+                    self.worker.write(*job);
+                }
+                Some(Wish::Stop) => self.worker.stop_writing(),
                 None => {}
             }
         }
         if self.passing.is_helping {
             self.passing.is_helping = help::show(context);
         }
-    }
-
-    /// Asks for what is now to be seen, if that is news.
-    fn ask(&mut self, wanted: Wanted, pixels_per_point: f32) {
-        let pixels = |points: f32| (points * pixels_per_point).round() as usize;
-        let Session { blend, look, methods, .. } = &self.session;
-        let request = Request {
-            // The same list as before costs nothing to compare and to share.
-            ends: match &self.asked {
-                Some((_, before)) if *before.ends == *blend.ends => Arc::clone(&before.ends),
-                _ => blend.ends.as_slice().into(),
-            },
-            weights: blend.weights(),
-            timing: blend.timing,
-            methods: methods.0.clone(),
-            scenery: look.scenery,
-            exposure: look.exposure,
-            size: pixels(wanted.side).clamp(16, MOST_PIXELS),
-            strip: pixels(wanted.frame).min(128),
-        };
-        if self.asked.as_ref().is_none_or(|(_, before)| *before != request) {
-            let number = self.worker.show(request.clone());
-            self.asked = Some((number, request));
-        }
+        drag::show(context, &self.gallery);
     }
 
     /// For undo, and for the next start.
     fn remember(&mut self, context: &Context) {
-        let is_busy = context.input(|input| input.pointer.any_down()) || context.text_edit_focused();
+        // A turn of the wheel, a pinch and a key that is held are one step each, too.
+        let is_moving = context.input(|input| {
+            let is_turned = input.is_scrolling() || input.zoom_delta() != 1.0;
+            input.pointer.any_down() || is_turned || !input.keys_down.is_empty()
+        });
+        self.passing.was_typing = context.text_edit_focused();
+        let is_busy = is_moving || self.passing.was_typing;
         self.history.watch(&self.session, !is_busy);
         if let Some(store) = &mut self.store {
             let size = context.content_rect().size();
-            store.keep(&self.session, &self.layout, Some([size.x, size.y]));
+            let rest = store.keep(&self.session, self.layout.as_ref(), Some([size.x, size.y]));
+            rest.into_iter().for_each(|rest| context.request_repaint_after(rest));
         }
     }
+}
+
+/// Text that was pasted in this frame.
+fn pasted(ui: &Ui) -> Option<String> {
+    let text = |event: &egui::Event| if let egui::Event::Paste(text) = event { Some(text.clone()) } else { None };
+    ui.input(|input| input.events.iter().find_map(text))
 }

@@ -32,6 +32,11 @@ impl Seen {
         self.colour = mean_chromaticity(linear, gain, covered);
     }
 
+    /// Mean ΔE_ITP to another picture.
+    pub fn distance(&self, other: &Self, covered: &[bool]) -> f64 {
+        self.itp.distance(&other.itp, covered)
+    }
+
     /// Against the mix and the ends; `own` is the end that this is, if it is one.
     pub fn compare(&self, mix: &Self, ends: &[Self], own: Option<usize>, covered: &[bool]) -> Figures {
         let others = ends.iter().enumerate().filter(|(end, _)| Some(*end) != own);

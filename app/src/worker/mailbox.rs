@@ -41,6 +41,11 @@ impl<T: Clone> Mailbox<T> {
         self.bell.notify_all();
     }
 
+    /// The newest value, read or not; it stays as unread as it is.
+    pub fn newest(&self) -> Option<T> {
+        self.lock().newest.clone()
+    }
+
     /// Waits for an unread value; none once the mailbox is closed, or finished and everything is read.
     pub fn take(&self) -> Option<T> {
         let is_waiting = |slot: &mut Slot<T>| !slot.is_unread && !slot.is_closed && !slot.is_finished;

@@ -4,8 +4,9 @@ use std::collections::HashMap;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 use anyhow::{Context, Result};
+use nbrdf_core::path::clock::Clock;
 use nbrdf_core::path::even::Even;
-use nbrdf_core::{Interpolation as _, Path};
+use nbrdf_core::{Interpolation as _, Path, Weights};
 
 use super::{Answer, Office, Timing, guarded};
 use crate::catalog::Catalog;
@@ -35,7 +36,11 @@ pub enum Prepared {
 
 /// All paths prepared so far.
 #[derive(Default)]
-pub struct Paths(Mutex<HashMap<Key, Prepared>>);
+pub struct Paths {
+    prepared: Mutex<HashMap<Key, Prepared>>,
+    /// When to be where, on even paths between three ends and more.
+    clocks: Mutex<HashMap<Key, Clock>>,
+}
 
 impl Paths {
     /// The path, if it was prepared.
@@ -43,16 +48,28 @@ impl Paths {
         self.lock().get(key).cloned()
     }
 
-    fn insert(&self, key: Key, prepared: Prepared) {
+    /// Weights of a path's ends at a time along them; others stay as they are.
+    pub fn weights(&self, key: &Key, t: Option<f32>, plain: &Weights) -> Weights {
+        let is_timed = key.timing == Timing::Even && key.ends.len() > 2;
+        let Some(t) = t.filter(|_| is_timed) else { return plain.clone() };
+        let clocks = self.clocks.lock().unwrap_or_else(PoisonError::into_inner);
+        clocks.get(key).map_or_else(|| plain.clone(), |clock| Weights::along_spline(clock.set(t), key.ends.len()))
+    }
+
+    /// Keeps a path.
+    pub fn insert(&self, key: Key, prepared: Prepared, clock: Option<Clock>) {
         let mut paths = self.lock();
+        let mut clocks = self.clocks.lock().unwrap_or_else(PoisonError::into_inner);
         if paths.len() >= KEPT {
             paths.clear();
+            clocks.clear();
         }
+        clocks.extend(clock.map(|clock| (key.clone(), clock)));
         paths.insert(key, prepared);
     }
 
     fn lock(&self) -> MutexGuard<'_, HashMap<Key, Prepared>> {
-        self.0.lock().unwrap_or_else(PoisonError::into_inner)
+        self.prepared.lock().unwrap_or_else(PoisonError::into_inner)
     }
 }
 
@@ -61,20 +78,21 @@ pub(super) fn run(office: &Office) {
     while let Some(wanted) = office.wants.take() {
         for key in wanted {
             if office.paths.get(&key).is_some() {
+                // Somebody else made it, after it was missed.
+                office.ring();
                 continue;
             }
             let title = title(key.method);
             office.say(Answer::Preparing(Some(title)));
-            let prepared = match guarded(title, || prepare(office, &key)) {
-                Ok(Ok(path)) => Prepared::Ready(path),
-                Ok(Err(error)) => Prepared::Failed(format!("{title}: {error:#}")),
-                Err(panic) => Prepared::Failed(panic),
+            let (prepared, clock) = match guarded(title, || prepare(office, &key)) {
+                Ok(Ok((path, clock))) => (Prepared::Ready(path), clock),
+                Ok(Err(error)) => (Prepared::Failed(format!("{title}: {error:#}")), None),
+                Err(panic) => (Prepared::Failed(panic), None),
             };
             if let Prepared::Failed(why) = &prepared {
                 office.say(Answer::Notice(why.clone()));
             }
-            office.paths.insert(key, prepared);
-            office.requests.again();
+            office.keep(key, prepared, clock);
             if office.wants.has_news() {
                 break;
             }
@@ -83,15 +101,34 @@ pub(super) fn run(office: &Office) {
     }
 }
 
-fn prepare(office: &Office, Key { ends, method, timing }: &Key) -> Result<Arc<dyn Path>> {
+impl Office {
+    /// Keeps a path, and tells everybody who may have waited for it.
+    pub(super) fn keep(&self, key: Key, prepared: Prepared, clock: Option<Clock>) {
+        self.paths.insert(key, prepared, clock);
+        self.ring();
+    }
+
+    /// Something that was not there before is there now: whoever may have missed it looks again.
+    pub(super) fn ring(&self) {
+        self.requests.again();
+        self.points.again();
+        self.questions.again();
+        self.map_requests.again();
+    }
+}
+
+/// Makes a path, and the clock it is walked by where it has one of its own.
+pub(super) fn prepare(office: &Office, Key { ends, method, timing }: &Key) -> Result<(Arc<dyn Path>, Option<Clock>)> {
     let find = |name: &String| office.material(name).with_context(|| format!("no material `{name}`"));
     let ends: Vec<_> = ends.iter().map(find).collect::<Result<_>>()?;
     let interpolation = (office.stock.interpolation)(method)?;
     let path = match timing {
-        Timing::Straight => interpolation.between(&ends)?,
-        Timing::Even => Even::new(method, interpolation).between(&ends)?,
+        Timing::Even if ends.len() == 2 => Even::new(method, interpolation).between(&ends)?,
+        Timing::Straight | Timing::Even => interpolation.between(&ends)?,
     };
-    Ok(Arc::from(path))
+    let is_timed = *timing == Timing::Even && ends.len() > 2;
+    let clock = is_timed.then(|| Clock::of(path.as_ref(), ends.len())).transpose()?;
+    Ok((Arc::from(path), clock))
 }
 
 /// Name of a method for people.

@@ -3,10 +3,22 @@
 use std::fmt;
 
 use nbrdf_core::Image;
+use nbrdf_core::image::Tone;
 
 use super::Plates;
 
-/// A square picture for the display; off the sphere it is transparent.
+/// How linear light is shown.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Showing {
+    /// Brighter by so many stops.
+    pub stops: f32,
+    pub tone: Tone,
+}
+
+/// Display values of 0..1 as they are.
+pub(super) const AS_IT_IS: Showing = Showing { stops: 0.0, tone: Tone::Clip };
+
+/// A square picture for the display; beside the surface it is transparent.
 #[derive(Clone, PartialEq, Eq)]
 pub struct Picture {
     /// Pixels per side.
@@ -16,25 +28,18 @@ pub struct Picture {
 }
 
 impl Picture {
-    /// A linear picture of a sphere, brighter by so many stops, display encoded; its rim fades out over a pixel.
-    pub(super) fn of(linear: &Image, stops: f32, plates: &Plates) -> Self {
-        let size = linear.width();
-        let middle = size as f32 / 2.0;
-        let alpha = |pixel: usize| {
-            let (x, y) = ((pixel % size) as f32 + 0.5 - middle, (pixel / size) as f32 + 0.5 - middle);
-            (0.99 * middle - x.hypot(y)).clamp(0.0, 1.0)
-        };
+    /// A linear picture, display encoded, as opaque as each pixel is.
+    pub(super) fn of(linear: &Image, showing: Showing, opacity: &[f32], plates: &Plates) -> Self {
         let mut opaque = plates.take();
-        linear.display_bytes_into(stops.exp2(), &mut opaque);
+        linear.toned_bytes_into(showing.stops.exp2(), showing.tone, &mut opaque);
         let mut rgba = plates.take();
         rgba.clear();
-        for (pixel, rgb) in opaque.chunks_exact(3).enumerate() {
-            let alpha = alpha(pixel);
+        for (rgb, alpha) in opaque.chunks_exact(3).zip(opacity) {
             let of = |byte: u8| (f32::from(byte) * alpha).round() as u8;
             rgba.extend([of(rgb[0]), of(rgb[1]), of(rgb[2]), of(255)]);
         }
         plates.give_back(opaque);
-        Self { size, rgba }
+        Self { size: linear.width(), rgba }
     }
 }
 
@@ -48,12 +53,19 @@ impl fmt::Debug for Picture {
 mod tests {
     use super::*;
     use nbrdf_core::Rgb;
+    use nbrdf_core::render::Surfaces;
 
     #[test]
     fn corners_are_transparent_and_the_middle_is_opaque() {
-        let picture = Picture::of(&Image::new(8, 8, vec![Rgb::splat(1.0); 64]), 0.0, &Plates::default());
+        let image = Image::new(8, 8, vec![Rgb::splat(1.0); 64]);
+        let shown = |tone| {
+            let opacity = Surfaces::sphere(8).opacity();
+            Picture::of(&image, Showing { stops: 0.0, tone }, &opacity, &Plates::default())
+        };
+        let picture = shown(Tone::Clip);
         assert_eq!(picture.rgba[..4], [0; 4]);
         let middle = 4 * (8 * 4 + 4);
         assert_eq!(picture.rgba[middle..middle + 4], [255; 4]);
+        assert!(shown(Tone::Filmic).rgba[middle] < 255, "through another curve, white is brighter than 1");
     }
 }

@@ -2,9 +2,13 @@
 
 use std::sync::Arc;
 
-use nbrdf_core::render::Light;
+use nbrdf_core::image::Tone;
+use nbrdf_core::render::{Frame, Light};
 use nbrdf_core::{Vec3, Weights};
 use serde::{Deserialize, Serialize};
+
+use super::picture::Showing;
+use super::{Card, Explored, Walk};
 
 /// What is to be shown.
 #[derive(Clone, Debug, PartialEq)]
@@ -13,21 +17,60 @@ pub struct Request {
     pub ends: Arc<[String]>,
     /// Where between them.
     pub weights: Weights,
-    /// How t runs along paths between two ends.
+    /// How t runs along paths.
     pub timing: Timing,
+    /// How paths are walked otherwise.
+    pub walk: Walk,
     /// Catalog names of the interpolations.
     pub methods: Vec<&'static str>,
+    /// A place of the latent map that is shown as well.
+    pub explored: Option<Explored>,
     /// What the materials are seen on, and in which light.
     pub scenery: Scenery,
     /// Exposure in stops.
     pub exposure: f32,
+    /// How pictures are shown; figures are those of the clip curve.
+    pub tone: Tone,
     /// Side of a sphere's picture in pixels.
     pub size: usize,
     /// Side of the pictures of the film strips in pixels; 0 for no strips.
     pub strip: usize,
+    /// Cards that alone are looked at in this size; none for all of them.
+    pub closeup: Option<Closeup>,
 }
 
-/// How t runs along a path between two ends.
+/// Two cards in the place of all.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Closeup {
+    /// They may be the same.
+    pub cards: [Card; 2],
+    /// How their difference is shown, if it is.
+    pub scale: Option<Scale>,
+}
+
+/// Where the colours of a difference end.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub enum Scale {
+    /// At a round number that nothing exceeds.
+    #[default]
+    Whole,
+    /// At this ΔE_ITP; larger differences look like it.
+    UpTo(u16),
+}
+
+impl Request {
+    /// Whether a card is asked for in the full size.
+    pub(super) fn is_large(&self, card: Card) -> bool {
+        self.closeup.is_none_or(|closeup| closeup.cards.contains(&card))
+    }
+
+    /// How linear pictures are shown.
+    pub(super) fn showing(&self) -> Showing {
+        Showing { stops: self.exposure, tone: self.tone }
+    }
+}
+
+/// How t runs along a path, from each end to the next.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
 pub enum Timing {
     /// As the method has it.
@@ -42,6 +85,41 @@ pub enum Timing {
 pub struct Scenery {
     /// The light.
     pub lighting: Lighting,
+    /// What the materials are seen on.
+    #[serde(default)]
+    pub shape: Shape,
+    /// Which part of it is shown.
+    #[serde(default)]
+    pub frame: Frame,
+}
+
+impl Scenery {
+    /// A whole sphere in this light.
+    pub const fn of(lighting: Lighting) -> Self {
+        Self { lighting, shape: Shape::Sphere, frame: Frame::WHOLE }
+    }
+
+    /// The whole sphere in the same light: what figures are measured on.
+    pub(super) const fn plain(self) -> Self {
+        Self::of(self.lighting)
+    }
+
+    /// The whole of the same shape.
+    pub(super) const fn whole(self) -> Self {
+        Self { frame: Frame::WHOLE, ..self }
+    }
+}
+
+/// What materials are seen on.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
+pub enum Shape {
+    /// A sphere, as in reports.
+    #[default]
+    Sphere,
+    /// A ground, seen aslant.
+    Plane,
+    /// The mesh in this place of the list; 0 is the built-in one.
+    Mesh(usize),
 }
 
 /// The light the spheres stand in.

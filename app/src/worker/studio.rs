@@ -2,19 +2,19 @@
 
 use std::collections::{HashMap, HashSet};
 use std::sync::Arc;
+use std::sync::atomic::Ordering;
 use std::time::Duration;
 
 use nbrdf_core::path::mix::{Mix, Mixed};
-use nbrdf_core::render::Light;
 use nbrdf_core::{Brdf, Path, Weights};
 
 use super::figures::Seen;
-use super::films::{Films, Subject};
+use super::films::{Films, Set, Subject};
 use super::paths::{Key, Prepared};
 use super::spheres::Sent;
 use super::strips::Strip;
 use super::surround::Lobes;
-use super::{Answer, Card, Office, Request, Scenery, guarded};
+use super::{Answer, Card, Office, Request, guarded};
 
 /// How long nothing new must come before finer pictures are rendered.
 pub(super) const QUIET: Duration = Duration::from_millis(60);
@@ -34,13 +34,15 @@ pub(super) struct Studio {
     /// What the user was told about these ends; nobody wants to dismiss it twice.
     told: (Arc<[String]>, HashSet<String>),
     pub lobes: Lobes,
+    /// Maps and meshes that were there at the last look.
+    arrived: u64,
 }
 
 /// Renders the newest request until the mailbox closes.
-pub(super) fn run(office: Office) {
+pub(super) fn run(office: &Office) {
     let requests = Arc::clone(&office.requests);
     let mut studio = Studio {
-        office,
+        office: office.clone(),
         points: HashMap::new(),
         films: Films::default(),
         sent: HashMap::new(),
@@ -48,6 +50,7 @@ pub(super) fn run(office: Office) {
         seen: Vec::new(),
         told: (Arc::new([]), HashSet::new()),
         lobes: HashMap::new(),
+        arrived: 0,
     };
     while let Some((number, request)) = requests.take() {
         match guarded("Rendering", || studio.show(&request)) {
@@ -65,9 +68,21 @@ impl Studio {
     /// Whether everything there is to show was shown.
     fn show(&mut self, request: &Request) -> bool {
         let Some((subjects, pending)) = self.gather(request) else { return true };
-        let is_shown = match request.scenery.lighting.lamps() {
-            Some(light) => self.under_lamps(&subjects, request, &light),
-            None => self.surrounded(&subjects, request),
+        let scenery = request.scenery;
+        // Before the mesh and the map are looked up: what arrives from here on is noticed the next time.
+        let arrived = self.office.arrived.load(Ordering::Acquire);
+        if arrived != self.arrived {
+            // The same request may be for another picture.
+            self.arrived = arrived;
+            self.films.clear();
+            self.films.sets.clear();
+            self.sent.clear();
+            self.strips.clear();
+        }
+        let model = self.office.model(scenery.shape);
+        let is_shown = match scenery.lighting.lamps() {
+            Some(light) => self.under_lamps(&subjects, request, Set { scenery, light: &light, model: &model }),
+            None => self.surrounded(&subjects, request, &model),
         };
         is_shown && !pending
     }
@@ -88,25 +103,30 @@ impl Studio {
             };
             self.points.insert(card, Box::new(Mixed::new(Mix::Linear, vec![(1.0, Arc::clone(&material.brdf))])));
             parts.push((weight, material.brdf));
-            found.push(Subject { card, ends: Arc::new([name.clone()]), point: None });
+            found.push(Subject { card, ends: Arc::new([name.clone()]), point: None, edited: None });
         }
         if found.len() < ends.len() {
             return None;
         }
         let parts = parts.into_iter().filter(|(weight, _)| *weight != 0.0).collect();
         self.points.insert(MIX, Box::new(Mixed::new(Mix::Linear, parts)));
-        let mut wanted = Vec::new();
+        let (mut wanted, mut changes) = (Vec::new(), Vec::new());
         for &method in &request.methods {
             let card = Card::Method(method);
             let key = Key { ends: Arc::clone(ends), method, timing: request.timing };
             match self.office.paths.get(&key) {
-                Some(Prepared::Ready(path)) => match self.move_to(card, path.as_ref(), &request.weights) {
-                    Ok(()) => {
-                        let point = Some((request.weights.clone(), request.timing));
-                        found.push(Subject { card, ends: Arc::clone(ends), point });
+                Some(Prepared::Ready(path)) => {
+                    let weights = self.office.paths.weights(&key, request.walk.t, &request.weights);
+                    let moved = self.move_to(card, path.as_ref(), &weights);
+                    let edit = |()| self.edit(card, path.as_ref(), &weights, &request.walk, &mut changes);
+                    match moved.and_then(edit) {
+                        Ok(edited) => {
+                            let point = Some((weights, request.timing));
+                            found.push(Subject { card, ends: Arc::clone(ends), point, edited });
+                        }
+                        Err(why) => self.withdraw(card, Answer::Failed(card, why)),
                     }
-                    Err(why) => self.withdraw(card, Answer::Failed(card, why)),
-                },
+                }
                 Some(Prepared::Failed(why)) => self.withdraw(card, Answer::Failed(card, why)),
                 None => {
                     self.withdraw(card, Answer::Pending(card));
@@ -114,11 +134,18 @@ impl Studio {
                 }
             }
         }
+        // What is only measured is not waited for.
+        let is_editing = !changes.is_empty() && request.walk.is_edit();
+        if !changes.is_empty() {
+            self.office.changes.put(changes);
+        }
         let pending = !wanted.is_empty();
         if pending {
             self.office.wants.put(wanted);
         }
-        Some((found, pending))
+        let (explored, is_waiting) = self.explore(request);
+        found.extend(explored);
+        Some((found, pending || is_waiting || is_editing))
     }
 
     /// Puts a card's point at these weights: in place, where there is one.
@@ -130,21 +157,33 @@ impl Studio {
         moved.map_err(|error| error.to_string())
     }
 
+    /// Puts a material on a card.
+    pub fn put(&mut self, card: Card, point: Box<dyn Brdf>) {
+        self.points.insert(card, point);
+    }
+
     /// The material that a card shows now.
     pub fn point(&self, card: Card) -> Option<&dyn Brdf> {
         self.points.get(&card).map(Box::as_ref)
     }
 
-    /// Renders a subject's present point, unless that picture is there.
-    pub fn render(&mut self, subject: &Subject, lamps: (Scenery, &Light), size: usize) -> Result<(), String> {
+    /// Renders a subject's present point, unless that picture is there; whether it was not stopped.
+    pub fn render(
+        &mut self,
+        subject: &Subject,
+        set: Set,
+        size: usize,
+        stops: &(dyn Fn() -> bool + Sync),
+    ) -> Result<bool, String> {
         let point = self.points.get(&subject.card).ok_or("there is no such material")?;
-        self.films.render(subject, point.as_ref(), lamps, size)
+        self.films.render(subject, point.as_ref(), set, size, stops)
     }
 
     /// There is no such sphere now: the window forgets what it has of it, so nothing counts as sent.
     pub fn withdraw(&mut self, card: Card, answer: Answer) {
         self.sent.remove(&card);
         self.strips.remove(&card);
+        self.office.found.forget(card);
         self.office.say(answer);
     }
 

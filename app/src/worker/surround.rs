@@ -1,13 +1,15 @@
 //! Spheres under an environment map: grainy at once, smooth when left alone.
 
 use std::collections::HashMap;
+use std::sync::Arc;
 
-use nbrdf_core::Weights;
-use nbrdf_core::render::{METRIC_SIZE, Progressive};
+use nbrdf_core::render::{METRIC_SIZE, Model, Progressive};
 use nbrdf_core::sampler::lobe::Lobe;
+use nbrdf_core::{Brdf, Weights};
 
 use super::films::Subject;
 use super::picture::Picture;
+use super::strips::Frame;
 use super::studio::{QUIET, Studio};
 use super::{Answer, Card, Lighting, Request, guarded};
 
@@ -23,22 +25,31 @@ pub(super) type Lobes = HashMap<String, Lobe>;
 
 impl Studio {
     /// Renders the spheres, better and better, and the film strips in between; whether it came to the end.
-    pub fn surrounded(&mut self, subjects: &[Subject], request: &Request) -> bool {
+    pub fn surrounded(&mut self, subjects: &[Subject], request: &Request, model: &Model) -> bool {
         let Lighting::Around { map, turn } = request.scenery.lighting else { return true };
         // Lamps start anew afterwards.
         self.sent.clear();
-        let cards: Vec<Card> = subjects.iter().map(|subject| subject.card).collect();
+        self.office.points.forget();
+        let cards = subjects.iter().map(|subject| subject.card).filter(|card| request.is_large(*card));
+        let cards: Vec<Card> = cards.collect();
         let environment = self.office.map(map).rotated(f64::from(turn));
         let lobes: Vec<Lobe> = cards.iter().map(|card| self.lobe(*card, request)).collect();
-        for card in &cards {
-            self.office.say(Answer::Figures(*card, None));
+        for subject in subjects {
+            self.office.say(Answer::Figures(subject.card, None));
         }
+        let requests = Arc::clone(&self.office.requests);
+        let stops = || requests.has_news();
         for (size, samples) in [(METRIC_SIZE.min(request.size), AT_ONCE), (request.size, FINISHED)] {
-            let picture = |(card, lobe): (&Card, &Lobe)| (*card, *lobe, Progressive::new(size, environment.clone(), 0));
+            let is_coarse = size < request.size;
+            let never = || false;
+            let patience: &(dyn Fn() -> bool + Sync) = if is_coarse { &never } else { &stops };
+            let Some(sight) = self.films.sets.sight((request.scenery, model), size, patience) else { return false };
+            let new = || Progressive::of(Arc::clone(&sight.surfaces), environment.clone(), 0);
+            let picture = |(card, lobe): (&Card, &Lobe)| (*card, *lobe, new());
             let mut pictures: Vec<_> = cards.iter().zip(&lobes).map(picture).collect();
             for pass in 1..=samples {
                 // A fine picture appears when it is no grainier than the coarse one.
-                let is_due = pass == samples || (pass.is_power_of_two() && (pass >= AT_ONCE || size < request.size));
+                let is_due = pass == samples || (pass.is_power_of_two() && (pass >= AT_ONCE || is_coarse));
                 let mut index = 0;
                 while let Some((card, lobe, picture)) = pictures.get_mut(index) {
                     if self.office.requests.has_news() {
@@ -49,17 +60,26 @@ impl Studio {
                         continue;
                     }
                     if is_due {
-                        let shown = Picture::of(&picture.image(), request.exposure, &self.office.plates);
+                        let image = picture.image();
+                        let shown = Picture::of(&image, request.showing(), &sight.opacity, &self.office.plates);
                         self.office.say(Answer::Picture(*card, shown));
+                        self.office.points.see(*card, image);
                     }
                     index += 1;
+                }
+                if is_due {
+                    self.differ(request, &sight, |_, card| {
+                        pictures.iter().find(|(other, ..)| *other == card).map(|(.., picture)| picture.image())
+                    });
                 }
                 if pass == DECENT
                     && !self.roll(request, |studio, weights, brdf| {
                         let lobe = studio.mixed_lobe(weights, request);
-                        let mut picture = Progressive::new(request.strip, environment.clone(), 0);
+                        let whole = request.scenery.whole();
+                        let sight = studio.films.sets.sight((whole, model), request.strip, &stops)?;
+                        let mut picture = Progressive::of(sight.surfaces, environment.clone(), 0);
                         (0..DECENT).for_each(|_| picture.pass(brdf, &lobe));
-                        picture.image()
+                        Some(Frame { image: picture.image(), opacity: sight.opacity })
                     })
                 {
                     return false;
@@ -87,6 +107,7 @@ impl Studio {
         match card {
             Card::End(end) => self.fitted(end, request),
             Card::Method(_) => self.mixed_lobe(&request.weights, request),
+            Card::Explored => self.point(card).map_or(Lobe::COSINE, fit),
         }
     }
 
@@ -104,9 +125,13 @@ impl Studio {
         if let Some(known) = self.lobes.get(name) {
             return *known;
         }
-        let fit = |point| guarded("The lobe", || Lobe::fit(point)).unwrap_or(Lobe::COSINE);
         let lobe = self.point(Card::End(end)).map_or(Lobe::COSINE, fit);
         self.lobes.insert(name.clone(), lobe);
         lobe
     }
+}
+
+/// Fits a lobe to a material.
+fn fit(point: &dyn Brdf) -> Lobe {
+    guarded("The lobe", || Lobe::fit(point)).unwrap_or(Lobe::COSINE)
 }

@@ -12,7 +12,7 @@ pub use code::{chart_report, code, stress_report};
 pub use measured::{csv, goniometer, merl, rgl};
 pub use networks::{archive, keras, library, network_safetensors, npy, npz};
 pub use pictures::{exr, hdr};
-pub use scenes::{obj, scene};
+pub use scenes::{gltf, obj, scene};
 pub use tensors::{basis, checkpoint};
 
 use nbrdf_core::{Brdf, Directions};
@@ -21,7 +21,7 @@ use nbrdf_core::{Brdf, Directions};
 pub type Reader = (&'static str, fn(&[u8]) -> bool);
 
 /// All of them.
-pub const ALL: [Reader; 19] = [
+pub const ALL: [Reader; 20] = [
     ("archive", archive),
     ("basis", basis),
     ("chart_report", chart_report),
@@ -29,6 +29,7 @@ pub const ALL: [Reader; 19] = [
     ("code", code),
     ("csv", csv),
     ("exr", exr),
+    ("gltf", gltf),
     ("goniometer", goniometer),
     ("hdr", hdr),
     ("keras", keras),

@@ -46,9 +46,17 @@ pub fn scene(bytes: &[u8]) -> bool {
     true
 }
 
+/// A mesh in glTF, which rays meet.
+pub fn gltf(bytes: &[u8]) -> bool {
+    Mesh::of_gltf(bytes).map(meet).is_ok()
+}
+
 /// A mesh in OBJ, which rays meet.
 pub fn obj(bytes: &[u8]) -> bool {
-    let Ok(mesh) = Mesh::of_obj(bytes) else { return false };
+    Mesh::of_obj(bytes).map(meet).is_ok()
+}
+
+fn meet(mesh: Mesh) {
     assert!(!mesh.is_empty() && mesh.centre().is_finite());
     let middle = mesh.centre();
     let shape = Shape::Mesh(Arc::new(mesh));
@@ -56,7 +64,6 @@ pub fn obj(bytes: &[u8]) -> bool {
         .into_iter()
         .filter_map(|ray| shape.hit(&ray, f64::INFINITY))
         .for_each(|hit| assert_sound(&hit));
-    true
 }
 
 /// Rays along the axes and aslant.

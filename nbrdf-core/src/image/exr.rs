@@ -27,12 +27,12 @@ const NAMED: usize = 8;
 pub(super) const SIGNATURE: [u8; 4] = magic_number::BYTES;
 
 impl Image {
-    /// Writes the linear values as OpenEXR (channels R, G, B); the file is whole or not there.
+    /// The linear values as an OpenEXR file in memory (channels R, G, B).
     ///
     /// # Errors
-    /// [`ImageError`], which names the file.
-    pub fn write_exr(&self, path: &Path) -> Result<(), ImageError> {
-        let refused = |reason: String| ImageError::Encode { path: path.into(), format: "OpenEXR", reason };
+    /// [`ImageError::Encode`] for an image without pixels or too large for the format; its path is empty.
+    pub fn exr_bytes(&self) -> Result<Vec<u8>, ImageError> {
+        let refused = |reason: String| ImageError::Encode { path: "".into(), format: "OpenEXR", reason };
         if self.pixels.is_empty() {
             return Err(refused("it has no pixels".into()));
         }
@@ -49,7 +49,16 @@ impl Image {
         );
         let mut bytes = Cursor::new(Vec::new());
         ExrImage::from_layer(layer).write().to_buffered(&mut bytes).map_err(|error| refused(error.to_string()))?;
-        atomic::write(path, &bytes.into_inner()).map_err(|source| ImageError::Io { path: path.into(), source })
+        Ok(bytes.into_inner())
+    }
+
+    /// Writes the linear values as OpenEXR (channels R, G, B); the file is whole or not there.
+    ///
+    /// # Errors
+    /// [`ImageError`], which names the file.
+    pub fn write_exr(&self, path: &Path) -> Result<(), ImageError> {
+        let bytes = self.exr_bytes().map_err(|error| error.about(path))?;
+        atomic::write(path, &bytes).map_err(|source| ImageError::Io { path: path.into(), source })
     }
 }
 

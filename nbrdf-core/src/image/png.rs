@@ -6,7 +6,7 @@ use image::{ExtendedColorType, ImageEncoder, codecs::png::PngEncoder};
 
 use rayon::prelude::*;
 
-use super::{DISPLAY_GAMMA, Image, ImageError, clipped};
+use super::{DISPLAY_GAMMA, Image, ImageError, Tone, clipped};
 use crate::simd::powers;
 use crate::{Rgb, atomic};
 
@@ -42,12 +42,24 @@ impl Image {
     /// As [`display_bytes`](Self::display_bytes) of the image times `gain`, over earlier bytes; allocates nothing where
     /// there is room.
     pub fn display_bytes_into(&self, gain: f32, bytes: &mut Vec<u8>) {
+        self.bytes_into(|linear| clipped(linear * gain), bytes);
+    }
+
+    /// The same through another tone curve.
+    pub fn toned_bytes_into(&self, gain: f32, tone: Tone, bytes: &mut Vec<u8>) {
+        match tone {
+            Tone::Clip => self.display_bytes_into(gain, bytes),
+            _ => self.bytes_into(|linear| tone.shown(linear * gain), bytes),
+        }
+    }
+
+    fn bytes_into(&self, shows: impl Fn(f32) -> f32 + Sync, bytes: &mut Vec<u8>) {
         let linear = Rgb::flat(&self.pixels);
         bytes.resize(linear.len(), 0);
         bytes.par_chunks_mut(PIECE).zip(linear.par_chunks(PIECE)).for_each(|(bytes, linear)| {
             let mut shown = [0.0; PIECE];
             let shown = &mut shown[..linear.len()];
-            shown.iter_mut().zip(linear).for_each(|(shown, linear)| *shown = clipped(linear * gain));
+            shown.iter_mut().zip(linear).for_each(|(shown, linear)| *shown = shows(*linear));
             powers(shown, 1.0 / DISPLAY_GAMMA);
             bytes.iter_mut().zip(shown).for_each(|(byte, v)| *byte = (*v * 255.0).round() as u8);
         });

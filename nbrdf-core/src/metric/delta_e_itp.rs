@@ -3,6 +3,8 @@
 //! Recommendation ITU-R BT.2124-0 (2019): linear BT.709 clipped to 0..1 → BT.2020 (BT.2087) → LMS → PQ (BT.2100,
 //! white at 100 cd/m²) → ICtCp; ΔE = 720 √(ΔI² + ΔT² + ΔP²) with T = ½ C_T. One unit is just noticeable.
 
+use rayon::prelude::*;
+
 use super::psnr::assert_same_size;
 use crate::{Image, Rgb, image::clipped};
 
@@ -75,8 +77,12 @@ pub fn delta_e_itp(reference: &Image, other: &Image, covered: &[bool]) -> f64 {
 /// If the images differ in size (a bug of the caller).
 pub fn delta_e_itp_map(reference: &Image, other: &Image) -> Vec<f32> {
     assert_eq!((reference.width(), reference.height()), (other.width(), other.height()), "images of one size");
-    let (f, g) = (ItpImage::new(reference), ItpImage::new(other));
-    f.pixels.iter().zip(&g.pixels).map(|(f, g)| difference(f, g) as f32).collect()
+    let pairs = reference.pixels().par_iter().zip(other.pixels());
+    let of = |(&f, &g): (&Rgb, &Rgb)| {
+        // Off a sphere both are black.
+        if f == g { 0.0 } else { difference(&itp_from_linear(f), &itp_from_linear(g)) as f32 }
+    };
+    pairs.map(of).collect()
 }
 
 fn difference(f: &[f64; 3], g: &[f64; 3]) -> f64 {

@@ -62,6 +62,11 @@ impl<'a> Planner<'a> {
         self.judge.view()
     }
 
+    /// The linear picture of the materials themselves.
+    pub const fn reference(&self) -> &Image {
+        self.judge.reference()
+    }
+
     /// The models it chooses from.
     pub const fn models(&self) -> &'a Models<'a> {
         self.models

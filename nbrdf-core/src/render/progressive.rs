@@ -1,15 +1,17 @@
 //! A sphere under an environment, better with every pass.
 //!
-//! The geometry is that of [`Sphere`](super::Sphere): orthographic, radius 0.99, pixel centres, the same shading
-//! frames. Each pass estimates ∫ f_r L cos θ_i dω in every pixel from two lights, one drawn by the material's
+//! The geometry is that of [`Sphere`](super::Sphere): any [`Surfaces`], pixel centres, the same shading frames; what a
+//! mesh hides from itself is dark. Each pass estimates ∫ f_r L cos θ_i dω in every pixel from two lights, one drawn by the material's
 //! [`Sampler`], one by the environment, with the balance heuristic (E. Veach, L. Guibas, *Optimally Combining Sampling
 //! Techniques for Monte Carlo Rendering*, 1995, section 3.3): either light counts f_r L cos θ_i / (p_material +
 //! p_environment), and the estimate is their sum. It is unbiased for any sampler; a good one only needs fewer passes.
 
+use std::sync::Arc;
+
 use glam::DVec3;
 use rayon::prelude::*;
 
-use super::{Environment, environment::EnvironmentSample, frame, normal, sequence::Point};
+use super::{Environment, Surface, Surfaces, environment::EnvironmentSample, sequence::Point};
 use crate::{Brdf, Directions, Image, Rgb, Sampler};
 
 /// What a [`Point`] is for.
@@ -19,7 +21,7 @@ const ENVIRONMENT: u64 = 1;
 /// A picture that grows; change the material only together with [`restart`](Self::restart).
 #[derive(Clone, Debug)]
 pub struct Progressive {
-    size: usize,
+    surfaces: Arc<Surfaces>,
     environment: Environment,
     seed: u64,
     /// Sum of the estimates of each pixel, row by row from the top left.
@@ -28,16 +30,22 @@ pub struct Progressive {
 }
 
 impl Progressive {
-    /// A picture of `size` × `size` pixels, still black. Same seed, material and sampler, same bits.
+    /// A sphere in `size` × `size` pixels, still black. Same seed, material and sampler, same bits.
     pub fn new(size: usize, environment: Environment, seed: u64) -> Self {
-        Self { size, environment, seed, sums: vec![[0.0; 3]; size * size], passes: 0 }
+        Self::of(Arc::new(Surfaces::sphere(size)), environment, seed)
+    }
+
+    /// The same of any surface.
+    pub fn of(surfaces: Arc<Surfaces>, environment: Environment, seed: u64) -> Self {
+        let sums = vec![[0.0; 3]; surfaces.size() * surfaces.size()];
+        Self { surfaces, environment, seed, sums, passes: 0 }
     }
 
     /// Adds one estimate to each pixel. Rows go in parallel; the result does not depend on the number of threads.
     pub fn pass(&mut self, brdf: &dyn Brdf, sampler: &dyn Sampler) {
-        let (size, passes) = (self.size, self.passes);
-        let pass = Pass { size, passes, seed: self.seed, environment: &self.environment, brdf, sampler };
-        let rows = self.sums.par_chunks_mut(size.max(1)).enumerate();
+        let (surfaces, passes) = (self.surfaces.as_ref(), self.passes);
+        let pass = Pass { surfaces, passes, seed: self.seed, environment: &self.environment, brdf, sampler };
+        let rows = self.sums.par_chunks_mut(surfaces.size().max(1)).enumerate();
         rows.for_each_init(Batch::default, |batch, (y, sums)| pass.row(y, sums, batch));
         self.passes += 1;
     }
@@ -48,15 +56,15 @@ impl Progressive {
     }
 
     /// Pixels per side.
-    pub const fn size(&self) -> usize {
-        self.size
+    pub fn size(&self) -> usize {
+        self.surfaces.size()
     }
 
-    /// The linear mean of all passes so far, black off the sphere and before the first pass.
+    /// The linear mean of all passes so far, black beside the surface and before the first pass.
     pub fn image(&self) -> Image {
         let share = 1.0 / f64::from(self.passes.max(1));
         let mean = |sum: &[f64; 3]| Rgb(sum.map(|sum| (sum * share).min(f64::from(f32::MAX)) as f32));
-        Image::new(self.size, self.size, self.sums.iter().map(mean).collect())
+        Image::new(self.size(), self.size(), self.sums.iter().map(mean).collect())
     }
 
     /// Black again, as if no pass had been.
@@ -68,7 +76,7 @@ impl Progressive {
 
 /// What all rows of one pass share.
 struct Pass<'a> {
-    size: usize,
+    surfaces: &'a Surfaces,
     passes: u32,
     seed: u64,
     environment: &'a Environment,
@@ -89,9 +97,9 @@ impl Pass<'_> {
     fn row(&self, y: usize, sums: &mut [[f64; 3]], batch: &mut Batch) {
         batch.at.clear();
         batch.terms.clear();
-        for x in 0..self.size {
-            if let Some(normal) = normal(self.size, x, y) {
-                self.draw(x, y, normal, batch);
+        for x in 0..self.surfaces.size() {
+            if let Some(surface) = self.surfaces.at(x, y) {
+                self.draw(x, y, &surface, batch);
             }
         }
         batch.values.resize(batch.at.len(), Rgb::BLACK);
@@ -104,28 +112,38 @@ impl Pass<'_> {
     }
 
     /// Two lights for one pixel.
-    fn draw(&self, x: usize, y: usize, normal: DVec3, batch: &mut Batch) {
-        let pixel = (y * self.size + x) as u64;
+    fn draw(&self, x: usize, y: usize, surface: &Surface, batch: &mut Batch) {
+        let pixel = (y * self.surfaces.size() + x) as u64;
         let point = |purpose| Point::new(self.seed, pixel, purpose, self.passes.into());
-        let to_view = frame(normal);
+        let to_view = surface.to_view();
         let to_surface = to_view.transpose();
-        let view = (to_surface * DVec3::Z).as_vec3();
+        let view = (to_surface * surface.view).as_vec3();
+        let is_open = |direction: DVec3| self.surfaces.is_open(surface, direction);
 
         let own = self.sampler.sample(view, point(MATERIAL).f32());
-        let seen = self.environment.look((to_view * own.light.as_dvec3()).as_vec3());
-        batch.push(x, Directions::new(own.light, view), seen, own.pdf);
+        let towards = to_view * own.light.as_dvec3();
+        let seen = self.environment.look(towards.as_vec3());
+        batch.push(x, Directions::new(own.light, view), seen, own.pdf, || is_open(towards));
 
         let seen = self.environment.sample(point(ENVIRONMENT).f64());
-        let at = Directions::new((to_surface * seen.direction.as_dvec3()).as_vec3(), view);
-        batch.push(x, at, seen, self.sampler.pdf(at));
+        let towards = seen.direction.as_dvec3();
+        let at = Directions::new((to_surface * towards).as_vec3(), view);
+        batch.push(x, at, seen, self.sampler.pdf(at), || is_open(towards));
     }
 }
 
 impl Batch {
-    fn push(&mut self, x: usize, at: Directions, seen: EnvironmentSample, own_pdf: f32) {
+    fn push(
+        &mut self,
+        x: usize,
+        at: Directions,
+        seen: EnvironmentSample,
+        own_pdf: f32,
+        is_open: impl FnOnce() -> bool,
+    ) {
         let scale = f64::from(at.light.z) / (f64::from(own_pdf) + seen.pdf);
         // Lights below the horizon and black ones add nothing; the model need not be asked.
-        if at.is_above() && scale.is_finite() && seen.radiance.max() > 0.0 {
+        if at.is_above() && scale.is_finite() && seen.radiance.max() > 0.0 && is_open() {
             self.at.push(at);
             self.terms.push((x, seen.radiance.0.map(|radiance| f64::from(radiance) * scale)));
         }

@@ -14,6 +14,7 @@ pub struct Mesh {
     triangles: Vec<Triangle>,
     nodes: Vec<FlatNode<f64, 3>>,
     centre: DVec3,
+    radius: f64,
 }
 
 /// Three corners, counter-clockwise where it is seen from the front.
@@ -69,7 +70,10 @@ impl Mesh {
             .iter()
             .flat_map(|triangle| triangle.corners)
             .fold((DVec3::INFINITY, DVec3::NEG_INFINITY), |(low, high), corner| (low.min(corner), high.max(corner)));
-        Self { triangles, nodes, centre: 0.5 * (low + high) }
+        let centre = 0.5 * (low + high);
+        let corners = triangles.iter().flat_map(|triangle| triangle.corners);
+        let radius = corners.fold(0.0, |most: f64, corner| most.max(corner.distance(centre)));
+        Self { triangles, nodes, centre, radius }
     }
 
     /// How many triangles.
@@ -87,11 +91,37 @@ impl Mesh {
         self.centre
     }
 
-    /// The first hit along a ray, nearer than `limit`. The flat hierarchy is walked without a stack: a box that is
-    /// missed, or farther than what was found, leads past everything in it.
-    pub(super) fn hit(&self, ray: &Ray, limit: f64) -> Option<Hit> {
+    /// Largest distance of a corner from the middle.
+    pub const fn radius(&self) -> f64 {
+        self.radius
+    }
+
+    /// The first hit along a ray, nearer than `limit`.
+    pub(crate) fn hit(&self, ray: &Ray, limit: f64) -> Option<Hit> {
+        let mut found = None;
+        self.walk(ray, limit, |distance, weights, triangle| {
+            found = Some((distance, weights, triangle));
+            false
+        });
+        let (distance, weights, triangle) = found?;
+        Some(Hit::smooth(ray, distance, triangle.normal_at(weights), triangle.geometric()))
+    }
+
+    /// Whether a ray meets anything.
+    pub(crate) fn is_met(&self, ray: &Ray) -> bool {
+        let mut is_met = false;
+        self.walk(ray, f64::INFINITY, |_, _, _| {
+            is_met = true;
+            true
+        });
+        is_met
+    }
+
+    /// Tells of hits, each nearer than the one before, until `tell` has enough. The flat hierarchy is walked without a
+    /// stack: a box that is missed, or farther than what was found, leads past everything in it.
+    fn walk<'a>(&'a self, ray: &Ray, limit: f64, mut tell: impl FnMut(f64, DVec3, &'a Triangle) -> bool) {
         let inverse = ray.direction.recip();
-        let (mut nearest, mut found) = (limit, None);
+        let mut nearest = limit;
         let mut index = 0;
         while let Some(node) = self.nodes.get(index) {
             if node.is_leaf() {
@@ -99,7 +129,10 @@ impl Mesh {
                 if let Some((distance, weights, triangle)) =
                     triangle.and_then(|triangle| triangle.hit(ray, nearest).map(|(d, w)| (d, w, triangle)))
                 {
-                    (nearest, found) = (distance, Some((weights, triangle)));
+                    nearest = distance;
+                    if tell(distance, weights, triangle) {
+                        return;
+                    }
                 }
                 index = node.exit_index as usize;
             } else if is_crossed(&node.aabb, ray.origin, inverse, nearest) {
@@ -108,8 +141,6 @@ impl Mesh {
                 index = node.exit_index as usize;
             }
         }
-        let (weights, triangle) = found?;
-        Some(Hit::smooth(ray, nearest, triangle.normal_at(weights), triangle.geometric()))
     }
 }
 

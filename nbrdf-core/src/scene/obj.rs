@@ -12,11 +12,11 @@ use super::{SceneError, SceneProblem};
 use crate::bounded;
 
 /// Largest file \[bytes\].
-const MAX_BYTES: u64 = 128 << 20;
+pub(super) const MAX_BYTES: u64 = 128 << 20;
 /// Most triangles of a scene.
-const MAX_TRIANGLES: usize = 1 << 20;
+pub(super) const MAX_TRIANGLES: usize = 1 << 20;
 /// Largest coordinate.
-const LARGEST: f64 = 1e9;
+pub(super) const LARGEST: f64 = 1e9;
 
 /// The meshes of a scene, each read once.
 #[derive(Default)]
@@ -138,6 +138,11 @@ fn parse(lines: &[u8], scale: f64, at: DVec3) -> Result<Mesh, SceneProblem> {
             SceneProblem::mesh(format!("corners within {LARGEST:e}, with as many normals"), "others")
         })?);
     }
+    whole(triangles)
+}
+
+/// The mesh of those triangles that have an area.
+pub(super) fn whole(mut triangles: Vec<Triangle>) -> Result<Mesh, SceneProblem> {
     // What has no area is never hit.
     triangles.retain(|triangle| area(&triangle.corners).length_squared() > 0.0);
     match triangles.len() {
@@ -176,7 +181,7 @@ fn placed(mesh: &tobj::Mesh, scale: f64, at: DVec3) -> Option<Vec<Triangle>> {
 }
 
 /// Of every position the sum of the normals of its faces, by area.
-fn around(positions: &[DVec3], indices: &[u32]) -> Option<Vec<DVec3>> {
+pub(super) fn around(positions: &[DVec3], indices: &[u32]) -> Option<Vec<DVec3>> {
     let mut sums = vec![DVec3::ZERO; positions.len()];
     for face in indices.chunks_exact(3) {
         let corner = |i: usize| positions.get(face[i] as usize).copied();
@@ -187,7 +192,7 @@ fn around(positions: &[DVec3], indices: &[u32]) -> Option<Vec<DVec3>> {
 }
 
 /// Normal, as long as twice the area.
-fn area([a, b, c]: &[DVec3; 3]) -> DVec3 {
+pub(super) fn area([a, b, c]: &[DVec3; 3]) -> DVec3 {
     (*b - *a).cross(*c - *a)
 }
 

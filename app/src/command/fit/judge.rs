@@ -8,7 +8,7 @@ use nbrdf_core::sampling::{evaluate, rus32k, turned_rus32k};
 use nbrdf_core::{Brdf, Rgb};
 use serde_json::{Value, json};
 
-use super::fitted::Fitted;
+use crate::fitted::Fitted;
 
 /// Over a table; of a material that changes when it is turned, all around.
 pub fn table_error(table: &dyn Brdf, fitted: &dyn Brdf, turns: bool) -> Value {
@@ -60,7 +60,7 @@ fn found(list: &SampleList, folds: usize, fit: &Refit) -> Result<Option<Vec<Rgb>
 
 /// Mean, median and 90th percentile of |found − measured| / measured over samples and channels, those below a thousandth of
 /// the mean left out; none where nothing is left.
-fn relative_error(list: &SampleList, found: &[Rgb]) -> Option<Value> {
+pub fn relative_error(list: &SampleList, found: &[Rgb]) -> Option<Value> {
     let pairs = || list.values.iter().zip(found).flat_map(|(a, b)| a.0.into_iter().zip(b.0));
     let floor = 1e-3 * pairs().map(|(a, _)| f64::from(a)).sum::<f64>() / (3 * list.len()) as f64;
     let seen = pairs().filter(|(a, _)| f64::from(*a) > floor);

@@ -7,8 +7,8 @@ use nbrdf_core::plan::{Followed, LEAVES, Models, Options, Planner, TAKES_OVER, W
 use serde::Serialize;
 use serde_json::json;
 
-use super::Opened;
 use super::curve::{Curve, Lines, Point};
+use super::{Opened, look};
 use crate::command::Global;
 use crate::failure::Failure;
 use crate::report::table::Table;
@@ -89,7 +89,7 @@ impl Journey<'_> {
     /// To a distance from that before, in halves where the picture would be seen to change; whether the object is large
     /// enough there.
     fn go(&mut self, way: &'static str, from: f64, to: f64) -> Result<bool> {
-        let view = self.opened.view(&self.opened.scene.from_afar(self.object, to), self.global)?;
+        let view = look::from(self.opened, &self.opened.scene.from_afar(self.object, to), self.global)?;
         if view.pixels_of(self.object).len() < FEWEST_PIXELS {
             return Ok(false);
         }

@@ -3,17 +3,14 @@
 use std::path::Path;
 
 use nbrdf_core::Image;
-use nbrdf_core::metric::flip_map;
 use nbrdf_core::plan::Plan;
 use nbrdf_core::scene::View;
 use serde_json::Value;
 
-use crate::report::heat::heat;
+use crate::measure::planned::{WHITE, difference, times};
 use crate::strip::text::{Face, Text};
 use crate::strip::{BRIGHT, MUTED, ground};
 
-/// Errors of this many times the tolerance are white.
-const WHITE: f64 = 4.0;
 /// Space around pictures and between them \[pixels\].
 const MARGIN: usize = 28;
 const GAP: usize = 16;
@@ -26,14 +23,8 @@ pub fn triptych(scene: &Path, view: &View, plan: &Plan, summary: &Value) -> Imag
     let [full, planned] = [&plan.reference, &plan.planned].map(|image| image.map(|pixel| pixel * gain));
     let number = |path: &str| summary.pointer(path).and_then(Value::as_f64).unwrap_or(f64::NAN);
     let white = WHITE * number("/tolerance");
-    let map = flip_map(&full.displayed(), &planned.displayed());
-    let heat = map.iter().map(|&error| heat(f64::from(error) / white)).collect();
-    let heat = Image::new(full.width(), full.height(), heat);
+    let heat = difference(&full, &planned, white);
     let name = scene.file_stem().unwrap_or_default().to_string_lossy();
-    let times = |ratio: f64, [less, more]: [&str; 2]| match ratio < 1.0 {
-        true => format!("{:.1} × {more}", 1.0 / ratio),
-        false => format!("{ratio:.1} × {less}"),
-    };
     let heading = format!(
         "{name}: {} and {} within FLIP {}",
         times(number("/times_faster"), ["less time", "more time"]),

@@ -6,6 +6,7 @@ use nbrdf_core::plan::{By, Choice, Options, Plan, Planner, Totals};
 use serde_json::{Value, json};
 
 use super::Opened;
+use crate::measure::planned::saved;
 use crate::report;
 use crate::report::table::Table;
 
@@ -26,14 +27,14 @@ pub fn json(opened: &Opened, planner: &Planner, plan: &Plan, options: Options, s
         })
     };
     let totals = |totals: &Totals| json!({"ns": totals.ns, "bytes": totals.bytes});
-    let times = |ratio: &dyn Fn(&Totals) -> f64| plan.beside.as_ref().map(|full| ratio(full) / ratio(&plan.totals));
+    let times = saved(plan);
     json!({
         "schema": 1, "scene": opened.path.display().to_string(), "tolerance": options.tolerance,
         "by": if options.by == By::Time { "time" } else { "bytes" },
         "objects": plan.choices.iter().enumerate().map(object).collect::<Vec<_>>(),
         "evaluations": plan.totals.evaluations, "planned": totals(&plan.totals),
         "nbrdf_everywhere": plan.beside.as_ref().map(totals),
-        "times_faster": times(&|totals| totals.ns), "times_smaller": times(&|totals| totals.bytes as f64),
+        "times_faster": times.map(|[time, _]| time), "times_smaller": times.map(|[_, bytes]| bytes),
         "models_tried": plan.tried, "seconds": seconds,
     })
 }

@@ -7,7 +7,7 @@ use nbrdf_core::plan::{Models, Options, Planner};
 use serde_json::{Value, json};
 
 use super::curve::{Curve, Lines, Point};
-use super::{Opened, watched};
+use super::{Opened, look, watched};
 use crate::command::Global;
 use crate::report;
 use crate::report::table::Table;
@@ -17,7 +17,7 @@ const TOLERANCES: [f64; 11] = [0.005, 0.0075, 0.01, 0.015, 0.02, 0.03, 0.04, 0.0
 
 /// Plans for every tolerance; models and errors are found once.
 pub fn sweep(opened: &Opened, options: Options, output: &Path, global: &Global) -> Result<()> {
-    let view = opened.whole_view(global)?;
+    let view = look::whole(opened, global)?;
     let models = Models::new(&opened.materials, &opened.ladder);
     let planner = Planner::new(&view, &models, &opened.material)?;
     let mut rows: Vec<Value> = Vec::new();

@@ -1,25 +1,35 @@
 //! Light, exposure, and what else changes the look.
 
+mod axes;
+
 use egui::{ComboBox, DragValue, Label, RichText, ScrollArea, Slider, Ui};
 use nbrdf_core::Vec3;
 
-use crate::gui::Session;
+use super::view;
 use crate::gui::session::{LAMP, MAX_EXPOSURE};
-use crate::worker::{Lighting, Timing};
+use crate::gui::{Gallery, Session};
+use crate::worker::Lighting;
 
-/// The pane; `maps` are names of the environment maps.
-pub fn show(ui: &mut Ui, session: &mut Session, maps: &[String]) {
+/// The pane; whether it shows measured qualities.
+pub fn show(ui: &mut Ui, session: &mut Session, gallery: &Gallery) -> bool {
     ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
         heading(ui, "Light");
-        ui.horizontal_wrapped(|ui| light(ui, session, maps));
+        ui.horizontal_wrapped(|ui| light(ui, session, &gallery.maps));
         ui.horizontal_wrapped(|ui| direction(ui, session));
         exposure(ui, session);
-        if ui.button("Reset").on_hover_text("Place, exposure and light as at the start (R)").clicked() {
+        ui.horizontal_wrapped(|ui| view::tone(ui, &mut session.look));
+        heading(ui, "Shape");
+        ui.horizontal_wrapped(|ui| view::shape(ui, &mut session.look, &gallery.solids));
+        ui.horizontal_wrapped(|ui| view::zoom(ui, &mut session.look));
+        if ui.button("Reset").on_hover_text("Place, exposure, light and zoom as at the start (R)").clicked() {
             session.reset();
         }
         heading(ui, "Path");
         path(ui, session);
+        heading(ui, "Axes");
+        axes::show(ui, session, gallery);
     });
+    true
 }
 
 fn heading(ui: &mut Ui, text: &str) {
@@ -29,11 +39,6 @@ fn heading(ui: &mut Ui, text: &str) {
 
 fn path(ui: &mut Ui, session: &mut Session) {
     let blend = &mut session.blend;
-    let mut is_even = blend.timing == Timing::Even;
-    let about = "Equal steps of t look equally large, in ΔE_ITP (T); of two materials";
-    if ui.checkbox(&mut is_even, "Even timing").on_hover_text(about).changed() {
-        blend.timing = if is_even { Timing::Even } else { Timing::Straight };
-    }
     let about = "t from −0.5 to 1.5 (E); paths slow down where more light would leave than arrive";
     if ui.checkbox(&mut blend.is_beyond, "Beyond the ends").on_hover_text(about).changed() {
         blend.go_to(blend.t);
@@ -43,6 +48,7 @@ fn path(ui: &mut Ui, session: &mut Session) {
 
 fn exposure(ui: &mut Ui, session: &mut Session) {
     let label = ui.label(RichText::new("Exposure").weak());
+    ui.spacing_mut().slider_width = (ui.available_width() - 92.0).clamp(40.0, 200.0);
     let slider = Slider::new(&mut session.look.exposure, -MAX_EXPOSURE..=MAX_EXPOSURE).step_by(0.25).suffix(" stops");
     ui.add(slider.fixed_decimals(2)).labelled_by(label.id).on_hover_text("Each stop doubles the light that is shown");
 }
@@ -56,9 +62,9 @@ fn light(ui: &mut Ui, session: &mut Session, maps: &[String]) {
     };
     let mut choices = vec![
         ("Studio", "Eleven lamps, as in reports", Lighting::Studio),
-        ("Point", "One lamp; drag on a sphere", LAMP),
+        ("Point", "One lamp; drag on a picture", LAMP),
     ];
-    let about = "All around, sample after sample; drag on a sphere to turn it. Drop .hdr and .exr maps on the window";
+    let about = "All around, sample after sample; drag on a picture to turn it. Drop .hdr and .exr maps on the window";
     choices
         .extend(maps.iter().enumerate().map(|(map, name)| (name.as_str(), about, Lighting::Around { map, turn: 0.0 })));
     let combo = ComboBox::from_id_salt("light").selected_text(name).width(96.0).show_ui(ui, |ui| {
@@ -86,14 +92,14 @@ fn direction(ui: &mut Ui, session: &mut Session) {
         return;
     }
     let Lighting::Point(direction) = session.look.scenery.lighting else {
-        ui.add(Label::new(RichText::new("drag a sphere to light it").weak()).truncate());
+        ui.add(Label::new(RichText::new("drag a picture to light it").weak()).truncate());
         return;
     };
     // + 0: nobody wants to read −0.
     let degrees = |radians: f32| radians.to_degrees().round() + 0.0;
     let (azimuth, elevation) = (degrees(direction.x.atan2(direction.z)), degrees(direction.y.clamp(-1.0, 1.0).asin()));
     let (mut new_azimuth, mut new_elevation) = (azimuth, elevation);
-    ui.add(DragValue::new(&mut new_azimuth).range(-100..=100).prefix("right ").suffix("°"))
+    ui.add(DragValue::new(&mut new_azimuth).range(-180..=180).prefix("right ").suffix("°"))
         .on_hover_text("Direction of the lamp: right of the viewer");
     ui.add(DragValue::new(&mut new_elevation).range(-90..=90).prefix("up ").suffix("°"))
         .on_hover_text("Direction of the lamp: above the viewer");

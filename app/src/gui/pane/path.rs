@@ -1,54 +1,118 @@
-//! The path: where on it, and whole paths as film strips below.
+//! The path: which materials, where between them, and whole paths as film strips below.
 
-use egui::{Button, Label, Pos2, Rect, RichText, Shape, Stroke, Ui, WidgetInfo, vec2};
+mod kept;
+mod materials;
+mod player;
+mod polygon;
+mod slots;
+mod thumbnail;
+mod timing;
+mod weights;
 
-use crate::gui::action::Action;
+use egui::{Label, RichText, ScrollArea, Ui, vec2};
+
+use super::Pane;
 use crate::gui::scrubber::Scrubber;
+use crate::gui::session::Way;
 use crate::gui::strips::{self, Strips};
 use crate::gui::{Gallery, Session};
 
+/// Narrower panes have the choice of timing in a line of its own \[points\].
+const NARROW: f32 = 460.0;
+/// Sides of the polygon's area \[points\].
+const POLYGON: [f32; 2] = [130.0, 260.0];
+
 /// The side of a strip's frame that there is room for \[points\], 0 for none.
 pub fn show(ui: &mut Ui, session: &mut Session, gallery: &Gallery) -> f32 {
+    let height = ui.available_height();
+    ScrollArea::vertical()
+        .id_salt(Pane::Path)
+        .auto_shrink(false)
+        .show(ui, |ui| {
+            let top = ui.cursor().top();
+            ui.horizontal_wrapped(|ui| {
+                slots::show(ui, session, gallery);
+                way(ui, session);
+                kept::show(ui, session);
+            });
+            if session.blend.is_polygon() {
+                let side = (0.5 * height).clamp(POLYGON[0], POLYGON[1]).min(ui.available_width());
+                ui.horizontal_wrapped(|ui| {
+                    polygon::show(ui, &mut session.blend, gallery, side);
+                    ui.vertical(|ui| {
+                        player::show(ui, session);
+                        weights::show(ui, &mut session.blend);
+                    });
+                });
+            } else {
+                along(ui, session);
+            }
+            if session.strips && !session.methods.0.is_empty() {
+                let left = height - (ui.cursor().top() - top);
+                strip(ui, session, gallery, left)
+            } else {
+                0.0
+            }
+        })
+        .inner
+}
+
+fn along(ui: &mut Ui, session: &mut Session) {
+    let is_narrow = ui.available_width() < NARROW;
+    if is_narrow {
+        timing::show(ui, &mut session.blend);
+    }
     ui.horizontal(|ui| {
-        play(ui, session);
-        let value = format!("t = {:.3}", session.blend.t);
-        ui.add_sized(vec2(68.0, 26.0), Label::new(RichText::new(value).size(14.0)));
-        Scrubber { session }.show(ui);
-    });
-    if session.strips && !session.methods.0.is_empty() { strip(ui, session, gallery) } else { 0.0 }
-}
-
-fn strip(ui: &mut Ui, session: &mut Session, gallery: &Gallery) -> f32 {
-    let pixel = 1.0 / ui.pixels_per_point();
-    let frame = strips::fit(ui.available_size(), session.methods.0.len());
-    let frame = (frame / pixel).floor() * pixel;
-    egui::ScrollArea::vertical().auto_shrink(false).show(ui, |ui| Strips { session, gallery, frame }.show(ui));
-    frame
-}
-
-fn play(ui: &mut Ui, session: &mut Session) {
-    let is_playing = session.blend.playing.is_some();
-    let name = if is_playing { "Pause" } else { "Play" };
-    let button = ui.add(Button::new("").min_size(vec2(34.0, 28.0)));
-    icon(ui, button.rect.center(), is_playing);
-    button.widget_info(|| WidgetInfo::labeled(egui::Role::Button, true, name));
-    if button.on_hover_text(format!("{name} ({})", Action::Play.shown_key(ui.ctx()))).clicked() {
-        session.blend.toggle_play();
-    }
-    if session.blend.playing.is_some() {
-        ui.ctx().request_repaint();
-    }
-}
-
-/// A triangle, or two bars: the small built-in fonts have neither.
-fn icon(ui: &Ui, centre: Pos2, is_playing: bool) {
-    let (painter, colour) = (ui.painter(), ui.visuals().text_color());
-    if is_playing {
-        for x in [-3.5, 3.5] {
-            painter.rect_filled(Rect::from_center_size(centre + vec2(x, 0.0), vec2(3.5, 12.0)), 1.0, colour);
+        player::show(ui, session);
+        let is_outside = session.blend.is_outside();
+        let mut value = RichText::new(format!("t = {:.3}", session.blend.t)).size(14.0);
+        if is_outside {
+            value = value.color(ui.visuals().warn_fg_color);
         }
-    } else {
-        let corners = [vec2(-4.0, -6.5), vec2(7.0, 0.0), vec2(-4.0, 6.5)].map(|corner| centre + corner);
-        painter.add(Shape::convex_polygon(corners.to_vec(), colour, Stroke::NONE));
+        let value = ui.add_sized(vec2(68.0, 26.0), Label::new(value));
+        if is_outside {
+            value.on_hover_text("Beyond the ends: a guess, no mixture of what is known");
+            if !is_narrow {
+                ui.label(RichText::new("beyond the ends").small().color(ui.visuals().warn_fg_color));
+            }
+        } else {
+            value.on_hover_text("Place on the path: 0 is the first material, 1 the last");
+        }
+        if is_narrow {
+            Scrubber { session }.show(ui);
+        } else {
+            ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
+                timing::show(ui, &mut session.blend);
+                Scrubber { session }.show(ui);
+            });
+        }
+    });
+}
+
+/// Along a path or within a polygon, of three materials and more.
+fn way(ui: &mut Ui, session: &mut Session) {
+    let blend = &mut session.blend;
+    if blend.ends.len() < 3 {
+        return;
     }
+    let choices = [
+        (Way::Keys, "Keys", "From one material to the next, along a smooth curve"),
+        (Way::Polygon, "Polygon", "Freely between all materials, one at each corner"),
+    ];
+    for (way, name, about) in choices {
+        if ui.selectable_label(blend.way == way, name).on_hover_text(about).clicked() && blend.way != way {
+            blend.way = way;
+            blend.playing = None;
+        }
+    }
+}
+
+fn strip(ui: &mut Ui, session: &mut Session, gallery: &Gallery, height: f32) -> f32 {
+    let pixel = 1.0 / ui.pixels_per_point();
+    let frames = session.blend.tour().frames(session.blend.ends.len());
+    let available = vec2(ui.available_width(), height);
+    let frame = strips::fit(available, session.methods.0.len(), frames);
+    let frame = (frame / pixel).floor() * pixel;
+    Strips { session, gallery, frame }.show(ui);
+    frame
 }

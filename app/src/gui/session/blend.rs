@@ -1,14 +1,14 @@
 //! What is blended, and where between.
 
 use nbrdf_core::Weights;
+use nbrdf_core::axis::Axis;
 use serde::{Deserialize, Serialize};
 
-use crate::worker::Timing;
+use super::polygon::{corners, into_polygon, mean_values, on_rim, rim_of};
+use crate::worker::{Edits, Timing, Tour, Walk};
 
 /// Marks on the scrubber from end to end.
 pub const TICKS: u8 = 16;
-/// Most materials of a blend.
-pub const MOST_ENDS: usize = 6;
 /// How far t goes beyond the ends.
 pub const BEYOND: f32 = 0.5;
 /// Seconds from end to end while playing.
@@ -18,7 +18,7 @@ const TRAVEL: f32 = 5.0;
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(default)]
 pub struct Blend {
-    /// Names of the materials, two to [`MOST_ENDS`].
+    /// Names of the materials, two to [`MOST_ENDS`](super::MOST_ENDS).
     pub ends: Vec<String>,
     /// How they are walked between.
     pub way: Way,
@@ -30,6 +30,8 @@ pub struct Blend {
     pub timing: Timing,
     /// Whether t may leave 0..1.
     pub is_beyond: bool,
+    /// How far qualities are moved, in the order of [`Axis::ALL`], −1 to 1 each.
+    pub edits: Edits,
     /// Whether t moves by itself, and which way.
     #[serde(skip)]
     pub playing: Option<Towards>,
@@ -63,6 +65,7 @@ impl Default for Blend {
             place: [0.0; 2],
             timing: Timing::Straight,
             is_beyond: false,
+            edits: [0.0; Axis::ALL.len()],
             playing: None,
         }
     }
@@ -89,29 +92,6 @@ impl Blend {
         self.way == Way::Polygon && self.ends.len() > 2
     }
 
-    /// Puts a material at an end; at the end after the last it is one more, if there may be.
-    pub fn choose(&mut self, end: usize, name: &str) {
-        if let Some(known) = self.ends.get_mut(end) {
-            name.clone_into(known);
-        } else if self.ends.len() < MOST_ENDS {
-            self.ends.push(name.to_owned());
-        }
-    }
-
-    /// Takes an end out; two stay.
-    pub fn remove(&mut self, end: usize) {
-        if self.ends.len() > 2 && end < self.ends.len() {
-            self.ends.remove(end);
-        }
-    }
-
-    /// The other way round; the picture in between stays where it was.
-    pub fn swap(&mut self) {
-        self.ends.reverse();
-        self.t = 1.0 - self.t;
-        self.place = mirrored(self.place, self.ends.len());
-    }
-
     /// Lowest and highest t.
     pub fn range(&self) -> [f32; 2] {
         if self.is_beyond { [-BEYOND, 1.0 + BEYOND] } else { [0.0, 1.0] }
@@ -131,25 +111,93 @@ impl Blend {
         self.t = t.clamp(low, high);
     }
 
+    /// Where a key lies on the path, 0 to 1.
+    pub fn key(&self, end: usize) -> f32 {
+        end as f32 / (self.ends.len() - 1).max(1) as f32
+    }
+
+    /// How paths are walked.
+    pub fn walk(&self) -> Walk {
+        Walk { t: (!self.is_polygon()).then_some(self.t), tour: self.tour(), edits: self.edits, is_measured: false }
+    }
+
+    /// What film strips show.
+    pub fn tour(&self) -> Tour {
+        match (self.is_polygon(), self.is_beyond) {
+            (true, _) => Tour::Around,
+            (false, true) => Tour::Beyond,
+            (false, false) => Tour::Along,
+        }
+    }
+
+    /// Where on the tour this is; none off the rim of a polygon.
+    pub fn on_tour(&self) -> Option<f32> {
+        if !self.is_polygon() {
+            return Some(self.t);
+        }
+        let (around, distance) = on_rim(self.place, &corners(self.ends.len()));
+        (distance < 1e-3).then_some(around)
+    }
+
+    /// Goes to a place on the tour.
+    pub fn tour_to(&mut self, place: f32) {
+        if self.is_polygon() {
+            self.playing = None;
+            self.place = rim_of(place, &corners(self.ends.len()));
+        } else {
+            self.go_to(place);
+        }
+    }
+
     /// Goes to a place in the polygon; one outside is moved to its rim.
     pub fn move_to(&mut self, place: [f32; 2]) {
+        self.playing = None;
+        self.place = into_polygon(place, &corners(self.ends.len()));
+    }
+
+    /// Goes towards or away from a corner, until its weight is `share` (0 to 1); the others share the rest, of three
+    /// ends as before.
+    pub fn weigh(&mut self, end: usize, share: f32) {
         let corners = corners(self.ends.len());
-        self.place = into_polygon(place, &corners);
+        let Some(&corner) = corners.get(end).filter(|_| share.is_finite()) else { return };
+        let away = [self.place[0] - corner[0], self.place[1] - corner[1]];
+        let length = away[0].hypot(away[1]);
+        // At the corner itself the way leads through the middle.
+        let way = if length > 1e-3 { away.map(|v| v / length) } else { corner.map(|v| -v) };
+        let at = |distance: f32| [corner[0] + distance * way[0], corner[1] + distance * way[1]];
+        let weight = |distance: f32| {
+            let place = at(distance);
+            let [x, y] = into_polygon(place, &corners);
+            let is_inside = (x - place[0]).hypot(y - place[1]) < 1e-5;
+            // Beyond the far rim nothing is left.
+            if is_inside { share_of(&mean_values(place, &corners), end) } else { -1.0 }
+        };
+        let (mut near, mut far) = (0.0, 2.0);
+        for _ in 0..30 {
+            let middle = 0.5 * (near + far);
+            if weight(middle) >= share { near = middle } else { far = middle }
+        }
+        self.move_to(at(near));
     }
 
     /// Starts or stops playing; at the last material it starts backwards.
     pub fn toggle_play(&mut self) {
         self.playing = match self.playing {
             Some(_) => None,
-            None if self.t >= 1.0 => Some(Towards::First),
+            None if self.t >= 1.0 && !self.is_polygon() => Some(Towards::First),
             None => Some(Towards::Last),
         };
     }
 
-    /// Moves on while playing, back and forth.
+    /// Moves on while playing: back and forth on a path, around the rim of a polygon.
     pub fn advance(&mut self, seconds: f32) {
         let Some(towards) = self.playing else { return };
         let way = if towards == Towards::Last { seconds } else { -seconds } / TRAVEL;
+        if self.is_polygon() {
+            let corners = corners(self.ends.len());
+            self.place = rim_of(on_rim(self.place, &corners).0 + way, &corners);
+            return;
+        }
         let [low, high] = self.range();
         self.t = (self.t + way).clamp(low, high);
         if self.t <= low {
@@ -165,70 +213,16 @@ impl Blend {
     }
 }
 
-/// Corners of the polygon, the first on top, clockwise; +y is up.
-pub fn corners(count: usize) -> Vec<[f32; 2]> {
-    let angle = |corner: usize| std::f32::consts::TAU * corner as f32 / count as f32;
-    (0..count).map(|corner| [angle(corner).sin(), angle(corner).cos()]).collect()
-}
-
-/// Where a place comes to lie when the corners are listed backwards.
-fn mirrored([x, y]: [f32; 2], count: usize) -> [f32; 2] {
-    // Reversed, corner k takes the place of corner n − 1 − k: a reflection about the axis at half of n − 1 steps.
-    let axis = std::f32::consts::TAU * (count as f32 - 1.0) / count as f32;
-    let (sin, cos) = axis.sin_cos();
-    [-x * cos + y * sin, x * sin + y * cos]
-}
-
-/// Weights of corners for a place within (M. S. Floater, *Mean value coordinates*, 2003): smooth, exact at corners and
-/// straight along edges.
-fn mean_values(place: [f32; 2], corners: &[[f32; 2]]) -> Vec<f32> {
-    let count = corners.len();
-    let rays: Vec<[f64; 2]> = corners.iter().map(|c| [0, 1].map(|i| f64::from(c[i]) - f64::from(place[i]))).collect();
-    let length = |k: usize| rays[k][0].hypot(rays[k][1]);
-    let one_hot = |at: &[(usize, f64)]| {
-        let mut weights = vec![0.0; count];
-        at.iter().for_each(|&(k, weight)| weights[k] = weight as f32);
-        weights
-    };
-    let mut tangents = Vec::with_capacity(count);
-    for k in 0..count {
-        let next = (k + 1) % count;
-        if length(k) < 1e-6 {
-            return one_hot(&[(k, 1.0)]);
-        }
-        let area = rays[k][0] * rays[next][1] - rays[k][1] * rays[next][0];
-        let cosine = rays[k][0] * rays[next][0] + rays[k][1] * rays[next][1];
-        if area.abs() < 1e-6 && cosine <= 0.0 {
-            return one_hot(&[(k, length(next)), (next, length(k))]);
-        }
-        tangents.push((length(k) * length(next) - cosine) / area);
-    }
-    let weight = |k: usize| ((tangents[(k + count - 1) % count] + tangents[k]) / length(k)) as f32;
-    // Clockwise corners have negative areas.
-    (0..count).map(|k| weight(k).abs()).collect()
-}
-
-/// The place itself, or the nearest one on the rim.
-fn into_polygon(place: [f32; 2], corners: &[[f32; 2]]) -> [f32; 2] {
-    let edges = (0..corners.len()).map(|k| (corners[k], corners[(k + 1) % corners.len()]));
-    let is_inside =
-        |([ax, ay], [bx, by]): ([f32; 2], [f32; 2])| (bx - ax) * (place[1] - ay) - (by - ay) * (place[0] - ax) <= 0.0;
-    if edges.clone().all(is_inside) {
-        return place;
-    }
-    let onto = |([ax, ay], [bx, by]): ([f32; 2], [f32; 2])| {
-        let (dx, dy) = (bx - ax, by - ay);
-        let s = (((place[0] - ax) * dx + (place[1] - ay) * dy) / (dx * dx + dy * dy)).clamp(0.0, 1.0);
-        [ax + s * dx, ay + s * dy]
-    };
-    let distance = |to: &[f32; 2]| (to[0] - place[0]).hypot(to[1] - place[1]);
-    edges.map(onto).min_by(|a, b| distance(a).total_cmp(&distance(b))).unwrap_or(place)
+/// Share of one of several weights in all.
+fn share_of(weights: &[f32], end: usize) -> f32 {
+    weights[end] / weights.iter().sum::<f32>()
 }
 
 #[cfg(test)]
 mod tests {
     use proptest::prelude::*;
 
+    use super::super::MOST_ENDS;
     use super::*;
 
     fn of(count: usize) -> Blend {
@@ -276,12 +270,33 @@ mod tests {
     }
 
     #[test]
-    fn materials_are_added_up_to_six_and_two_always_stay() {
-        let mut blend = Blend::default();
-        (0..10).for_each(|_| blend.choose(blend.ends.len(), "chrome"));
-        assert_eq!(blend.ends.len(), MOST_ENDS);
-        (0..10).for_each(|_| blend.remove(0));
-        assert_eq!(blend.ends, ["chrome", "chrome"]);
+    fn a_weight_that_is_typed_is_reached_and_of_three_the_others_keep_their_ratio() {
+        let mut blend = Blend { place: [0.1, 0.2], ..of(3) };
+        let before = blend.weights();
+        blend.weigh(0, 0.8);
+        let after = blend.weights();
+        let ratio = |weights: &Weights| weights.as_slice()[1] / weights.as_slice()[2];
+        assert!((after.as_slice()[0] - 0.8).abs() < 1e-3, "{after:?}");
+        assert!((ratio(&before) - ratio(&after)).abs() < 1e-2, "{before:?} {after:?}");
+        for (end, share) in [(2, 1.0), (2, 0.25), (4, 0.5), (1, 0.0), (9, 0.5)] {
+            let mut blend = of(5);
+            blend.weigh(end, share);
+            let found = blend.weights().as_slice().get(end).copied().unwrap_or(share);
+            assert!((found - share).abs() < 2e-3, "{end} {share}: {found}");
+        }
+    }
+
+    #[test]
+    fn playing_a_polygon_goes_around_its_rim() {
+        let mut blend = of(4);
+        blend.tour_to(0.125);
+        assert_eq!(blend.on_tour().map(|place| (place * 1e4).round()), Some(1250.0));
+        blend.t = 1.0;
+        blend.toggle_play();
+        (0..40).for_each(|_| blend.advance(0.1));
+        assert!((blend.on_tour().unwrap() - 0.925).abs() < 1e-3, "{:?}", blend.on_tour());
+        blend.move_to([0.0, 0.0]);
+        assert_eq!((blend.on_tour(), blend.playing), (None, None));
     }
 
     proptest! {

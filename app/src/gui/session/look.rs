@@ -1,9 +1,11 @@
 //! How materials are looked at: light and exposure.
 
 use nbrdf_core::Vec3;
+use nbrdf_core::image::Tone;
+use nbrdf_core::render::{Frame, Model};
 use serde::{Deserialize, Serialize};
 
-use crate::worker::{Lighting, Scenery};
+use crate::worker::{Lighting, Scenery, Shape};
 
 /// Exposure goes this many stops either way.
 pub const MAX_EXPOSURE: f32 = 4.0;
@@ -20,17 +22,35 @@ pub struct Look {
     pub scenery: Scenery,
     /// Exposure in stops.
     pub exposure: f32,
+    /// How pictures are shown.
+    pub tone: Tone,
 }
 
 impl Default for Look {
     fn default() -> Self {
-        Self { scenery: Scenery { lighting: Lighting::Studio }, exposure: 0.0 }
+        Self { scenery: Scenery::of(Lighting::Studio), exposure: 0.0, tone: Tone::Clip }
     }
 }
 
 impl Look {
-    /// Moves the point light so that a mirror sphere shows it at `x` (right), `y` (up), in radii from the middle.
+    /// Light, exposure and zoom as at the start; shape and tone curve stay.
+    pub fn reset(&mut self) {
+        let (start, shape) = (Self::default(), self.scenery.shape);
+        *self = Self { scenery: Scenery { shape, ..start.scenery }, tone: self.tone, ..start };
+    }
+
+    /// Moves the point light so that a mirror of this shape shows it at `x` (right), `y` (up), in radii from the middle of
+    /// the picture; a sphere in place of a mesh.
     pub fn point_at(&mut self, x: f32, y: f32) {
+        let place = self.scenery.frame.place([x.into(), y.into()]);
+        if self.scenery.shape == Shape::Plane {
+            // Where the plane is seen, every direction is of use.
+            if let Some(direction) = Model::Plane.mirrored(place) {
+                self.scenery.lighting = Lighting::Point(direction.as_vec3());
+            }
+            return;
+        }
+        let [x, y] = place.map(|place| place as f32);
         // Further out the lamp would stand behind the sphere and show nothing.
         let scale = 0.75 / x.hypot(y).max(0.75);
         let (x, y) = (x * scale, y * scale);
@@ -47,11 +67,23 @@ impl Look {
         true
     }
 
-    /// Where a mirror sphere shows the point light, in radii from the middle, if there is one.
+    /// Where a mirror of this shape shows the point light, in radii from the middle of the picture, if it does; a sphere in
+    /// place of a mesh.
     pub fn highlight(&self) -> Option<[f32; 2]> {
         let Lighting::Point(direction) = self.scenery.lighting else { return None };
-        let half = (direction.normalize() + Vec3::Z).normalize();
-        Some([half.x, half.y])
+        let place = if self.scenery.shape == Shape::Plane {
+            Model::Plane.mirror(direction.as_dvec3().normalize())?
+        } else {
+            let half = (direction.normalize() + Vec3::Z).normalize();
+            [half.x.into(), half.y.into()]
+        };
+        let seen = self.scenery.frame.seen_at(place);
+        seen.iter().all(|place| place.abs() <= 1.0).then(|| seen.map(|place| place as f32))
+    }
+
+    /// Shows another shape, as a whole.
+    pub fn show_on(&mut self, shape: Shape) {
+        (self.scenery.shape, self.scenery.frame) = (shape, Frame::WHOLE);
     }
 
     /// Studio, point, then one map after the other.
@@ -85,9 +117,32 @@ mod tests {
     }
 
     #[test]
+    fn the_highlight_follows_the_pointer_when_zoomed_and_on_a_plane() {
+        for shape in [Shape::Sphere, Shape::Plane, Shape::Mesh(0)] {
+            let mut look = Look::default();
+            look.show_on(shape);
+            look.scenery.frame = Frame::WHOLE.zoomed(3.0, [0.5, 0.25]);
+            look.point_at(0.3, -0.4);
+            let [x, y] = look.highlight().unwrap();
+            assert!((x - 0.3).abs() < 1e-4 && (y + 0.4).abs() < 1e-4, "{shape:?}: {x} {y}");
+        }
+    }
+
+    #[test]
+    fn a_reset_keeps_the_shape_and_a_session_of_before_has_one() {
+        let mut look = Look { exposure: 1.0, tone: Tone::Filmic, ..Look::default() };
+        look.show_on(Shape::Plane);
+        look.scenery.frame = Frame::WHOLE.zoomed(3.0, [0.0; 2]);
+        look.reset();
+        assert_eq!((look.exposure, look.tone, look.scenery.shape), (0.0, Tone::Filmic, Shape::Plane));
+        assert_eq!(look.scenery.frame, Frame::WHOLE);
+        let before: Look = serde_json::from_str(r#"{"scenery": {"lighting": "Studio"}, "exposure": 1.0}"#).unwrap();
+        assert_eq!(before, Look { exposure: 1.0, ..Look::default() });
+    }
+
+    #[test]
     fn dragging_turns_a_map_and_never_beyond_half_a_turn() {
-        let mut look =
-            Look { scenery: Scenery { lighting: Lighting::Around { map: 0, turn: 0.0 } }, ..Look::default() };
+        let mut look = Look { scenery: Scenery::of(Lighting::Around { map: 0, turn: 0.0 }), ..Look::default() };
         for (radii, quarters) in [(1.0, 1.0), (2.0, -1.0)] {
             assert!(look.turn_by(radii));
             let Lighting::Around { turn, .. } = look.scenery.lighting else { panic!("{:?}", look.scenery.lighting) };

@@ -29,8 +29,8 @@ fn rendered(environment: &Environment, brdf: &dyn Brdf, sampler: &dyn Sampler, p
 fn quadrature(environment: &Environment, brdf: &dyn Brdf) -> Image {
     let (map, parts) = (environment.map(), 24);
     let (columns, rows) = (map.width() * parts, map.height() * parts);
-    let shade = |normal: DVec3| {
-        let to_surface = frame(normal).transpose();
+    let shade = |surface: Surface| {
+        let to_surface = surface.to_view().transpose();
         let mut sum = [0.0; 3];
         for (column, row) in (0..columns).flat_map(|column| (0..rows).map(move |row| (column, row))) {
             let longitude = PI - TAU * (column as f64 + 0.5) / columns as f64;
@@ -48,7 +48,7 @@ fn quadrature(environment: &Environment, brdf: &dyn Brdf) -> Image {
         }
         Rgb(sum.map(|sum| sum as f32))
     };
-    let pixel = |i: usize| normal(SIZE, i % SIZE, i / SIZE).map_or(Rgb::BLACK, shade);
+    let pixel = |i: usize| Surfaces::sphere(SIZE).at(i % SIZE, i / SIZE).map_or(Rgb::BLACK, shade);
     Image::new(SIZE, SIZE, (0..SIZE * SIZE).map(pixel).collect())
 }
 
@@ -65,7 +65,7 @@ fn a_white_sphere_in_a_white_furnace_shows_one() {
     let furnace = Environment::new(Image::new(8, 4, vec![Rgb::splat(1.0); 32])).unwrap();
     let image = rendered(&furnace, &WHITE, &Cosine, 1024);
     for (i, pixel) in image.pixels().iter().enumerate() {
-        let expected = if normal(SIZE, i % SIZE, i / SIZE).is_some() { 1.0 } else { 0.0 };
+        let expected = if Surfaces::sphere(SIZE).at(i % SIZE, i / SIZE).is_some() { 1.0 } else { 0.0 };
         assert!(pixel.0.iter().all(|value| (value - expected).abs() < 3e-3), "{pixel:?}");
     }
 }
@@ -134,4 +134,22 @@ fn a_picture_without_pixels_and_a_room_without_light_are_fine() {
     assert!(none.image().pixels().is_empty());
     let dark = Environment::new(Image::black(2, 1)).unwrap();
     assert_eq!(rendered(&dark, &WHITE, &Cosine, 2), Image::black(SIZE, SIZE));
+}
+
+#[test]
+fn in_a_white_furnace_a_plane_shows_one_and_a_mesh_is_darker_in_its_folds() {
+    use crate::render::{Frame, Model};
+    let furnace = Environment::new(Image::new(8, 4, vec![Rgb::splat(1.0); 32])).unwrap();
+    let mean = |model: Model| {
+        let surfaces = Arc::new(Surfaces::new(16, &model, Frame::WHOLE));
+        let mut picture = Progressive::of(Arc::clone(&surfaces), furnace.clone(), 3);
+        (0..256).for_each(|_| picture.pass(&WHITE, &Cosine));
+        let image = picture.image();
+        let seen = (0..256).filter(|i| surfaces.at(i % 16, i / 16).is_some()).map(|i| f64::from(image.pixels()[i][1]));
+        let seen: Vec<f64> = seen.collect();
+        seen.iter().sum::<f64>() / seen.len() as f64
+    };
+    let (plane, knot) = (mean(Model::Plane), mean(Model::Mesh(Arc::new(crate::scene::Mesh::knot()))));
+    assert!((plane - 1.0).abs() < 5e-3, "{plane}");
+    assert!(knot > 0.5 && knot < 0.95, "{knot}");
 }

@@ -4,17 +4,15 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use anyhow::{Result, bail};
-use nbrdf_core::plan::Rung;
+use nbrdf_core::plan::{By, Options, Rung};
 use nbrdf_core::sampler::lobe::Lobe;
 use nbrdf_core::scene::{Gathering, Object, Scene, View};
 use nbrdf_core::{Library, Material};
 use rayon::prelude::*;
 
-use crate::catalog::{Catalog, Reference, ladder};
-use crate::command::Global;
+use crate::catalog::{Catalog, NBRDF, Reference, ladder};
 use crate::failure::Failure;
 use crate::material::Shelf;
-use crate::progress;
 
 /// Bytes of a table over the cells of MERL, as it is evaluated.
 const TABLE: usize = 4 * 3 * 90 * 90 * 180;
@@ -41,7 +39,10 @@ pub struct Opened {
 }
 
 impl Opened {
-    /// Reads a scene and what it names.
+    /// Reads a scene and what it names, and times the kinds of models.
+    ///
+    /// # Errors
+    /// What is wrong with the scene, a material it names, the library or a checkpoint.
     pub fn load(path: &Path, library: Option<&Path>, checkpoints: &[PathBuf]) -> Result<Self> {
         let scene = Scene::load(path)?;
         let catalog = || Catalog::new(Arc::new(Reference::built_in()));
@@ -77,6 +78,9 @@ impl Opened {
     }
 
     /// The kinds of models, of which none is made yet.
+    ///
+    /// # Errors
+    /// If a kind cannot be made.
     pub fn new_ladder(&self) -> Result<Vec<Rung>> {
         let bytes = |file: &Option<PathBuf>| match file {
             Some(file) if file.extension().is_none_or(|extension| extension != "binary") => {
@@ -92,42 +96,29 @@ impl Opened {
         ladder(&self.catalog, &self.others, own_bytes)
     }
 
-    /// What the picture asks for, from the camera of `scene`, which has the same objects.
-    pub fn view(&self, scene: &Scene, global: &Global) -> Result<View> {
-        let bar = progress::bar(scene.picture.height as u64, "looking", global.quiet);
-        let done = || bar.inc(1);
-        let how = Gathering { seed: global.seed(), done: &done, cancelled: &progress::cancelled };
-        let Some(view) = View::gather(scene, &self.lobes, how) else { bail!("cancelled: nothing was written") };
-        bar.finish_and_clear();
-        Ok(view)
+    /// What the picture asks for, from the camera of `scene`, which has the same objects; none when cancelled.
+    pub fn view(&self, scene: &Scene, how: Gathering) -> Option<View> {
+        View::gather(scene, &self.lobes, how)
     }
 
-    /// The same from the scene's own camera; refuses objects that are not in the picture.
-    pub fn whole_view(&self, global: &Global) -> Result<View> {
-        let view = self.view(&self.scene, global)?;
+    /// Refuses objects that are not in the picture.
+    ///
+    /// # Errors
+    /// Their names.
+    pub fn refuse_unseen(&self, view: &View) -> Result<()> {
         let unseen: Vec<String> = view.unseen(&self.scene.objects).map(|object| format!("'{}'", object.name)).collect();
-        match unseen.is_empty() {
-            true => Ok(view),
-            false => {
-                let (file, unseen) = (self.path.display(), unseen.join(", "));
-                let found = format!("{file}: expected every object in the picture, found {unseen} outside or hidden");
-                Err(Failure::InvalidFile(format!("{found}: move the camera, or leave them out")).into())
-            }
+        if unseen.is_empty() {
+            return Ok(());
         }
+        let (file, unseen) = (self.path.display(), unseen.join(", "));
+        let found = format!("{file}: expected every object in the picture, found {unseen} outside or hidden");
+        Err(Failure::InvalidFile(format!("{found}: move the camera, or leave them out")).into())
     }
 
-    /// The place of the object of this name; of the only one where there is no name.
-    pub fn object(&self, name: Option<&str>) -> Result<usize> {
-        let names = || self.scene.objects.iter().map(|object| object.name.as_str());
-        let found = match name {
-            Some(name) => names().position(|own| own == name),
-            None => (self.scene.objects.len() == 1).then_some(0),
-        };
-        found.ok_or_else(|| {
-            let all = names().collect::<Vec<_>>().join("', '");
-            let asked = name.map_or_else(|| "no name".to_owned(), |name| format!("'{name}'"));
-            Failure::Usage(format!("--object: expected one of '{all}', found {asked}")).into()
-        })
+    /// How plans are made of it, within this tolerance: everything is compared with an NBRDF of every material.
+    pub fn options(&self, tolerance: f64, by: By, most_bytes: usize) -> Options {
+        let beside = self.ladder.iter().position(|rung| rung.name == NBRDF);
+        Options { tolerance, by, exhaustive: false, most_bytes, beside }
     }
 }
 

@@ -1,0 +1,7 @@
+//! Meshes in glTF.
+
+#![no_main]
+
+use nbrdf_fuzz::{BASE, Limit, check, readers};
+
+libfuzzer_sys::fuzz_target!(|bytes: &[u8]| check(Limit { base: BASE, per_byte: 2048 }, readers::gltf, bytes));
