@@ -10,7 +10,7 @@ use nbrdf_core::{Brdf, Path, Weights};
 
 use super::figures::Seen;
 use super::films::{Films, Set, Subject};
-use super::paths::{Key, Prepared};
+use super::paths::Prepared;
 use super::spheres::Sent;
 use super::strips::Strip;
 use super::surround::Lobes;
@@ -113,7 +113,7 @@ impl Studio {
         let (mut wanted, mut changes) = (Vec::new(), Vec::new());
         for &method in &request.methods {
             let card = Card::Method(method);
-            let key = Key { ends: Arc::clone(ends), method, timing: request.timing };
+            let key = request.key(method);
             match self.office.paths.get(&key) {
                 Some(Prepared::Ready(path)) => {
                     let weights = self.office.paths.weights(&key, request.walk.t, &request.weights);

@@ -21,7 +21,7 @@ pub struct Walk {
 
 impl Walk {
     /// Whether anything is to be moved, not only measured.
-    pub(super) fn is_edit(&self) -> bool {
+    pub fn is_edit(&self) -> bool {
         is_edit(&self.edits)
     }
 }

@@ -1,6 +1,7 @@
 //! What is written to files, and where to.
 
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 use serde::{Deserialize, Serialize};
 
@@ -169,8 +170,13 @@ impl Session {
 
     /// What the window shows, for work that needs no picture of it.
     pub fn shown(&self) -> Request {
+        self.shown_between(self.blend.ends.as_slice().into())
+    }
+
+    /// The same, with the list of the ends that is there already.
+    pub fn shown_between(&self, ends: Arc<[String]>) -> Request {
         Request {
-            ends: self.blend.ends.as_slice().into(),
+            ends,
             weights: self.blend.weights(),
             timing: self.blend.timing,
             walk: self.blend.walk(),

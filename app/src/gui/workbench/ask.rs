@@ -24,26 +24,20 @@ impl Workbench {
             return;
         }
         let pixels = |points: f32| (points * pixels_per_point).round() as usize;
-        let Session { blend, look, methods, pick, .. } = &self.session;
+        let Session { blend, pick, .. } = &self.session;
         let closeup = self.session.closeup();
         let most = if closeup.is_some() { MOST_PIXELS_OF_TWO } else { MOST_PIXELS };
+        // The same list as before costs nothing to compare and to share.
+        let ends = match &self.asked {
+            Some((_, before)) if *before.ends == *blend.ends => Arc::clone(&before.ends),
+            _ => blend.ends.as_slice().into(),
+        };
         let request = Request {
-            // The same list as before costs nothing to compare and to share.
-            ends: match &self.asked {
-                Some((_, before)) if *before.ends == *blend.ends => Arc::clone(&before.ends),
-                _ => blend.ends.as_slice().into(),
-            },
-            weights: blend.weights(),
-            timing: blend.timing,
             walk: Walk { is_measured: wanted.is_measured, ..blend.walk() },
-            methods: methods.0.clone(),
-            explored: self.session.explored,
-            scenery: look.scenery,
-            exposure: look.exposure,
-            tone: look.tone,
             size: pixels(wanted.side).clamp(16, most),
             strip: pixels(wanted.frame).min(128),
             closeup,
+            ..self.session.shown_between(ends)
         };
         let probe = pick.at.filter(|_| wanted.is_point).map(|at| Probe::new(at, &request));
         if probe != self.probed {

@@ -30,7 +30,7 @@ pub fn show(ui: &mut Ui, session: &mut Session, gallery: &Gallery) {
     for shortfall in measured.iter().flat_map(|measured| &measured.shortfalls) {
         ui.add(Label::new(RichText::new(shortfall).small().color(ui.visuals().warn_fg_color)).wrap());
     }
-    let is_edited = session.blend.edits.iter().any(|amount| *amount != 0.0);
+    let is_edited = session.blend.walk().is_edit();
     let reset = ui.add_enabled(is_edited, egui::Button::new("Reset qualities"));
     if reset.on_hover_text("As the path has them").clicked() {
         session.blend.edits = [0.0; Axis::ALL.len()];
