@@ -28,10 +28,14 @@ if ! [ -x .venv/bin/python ]; then
         "$python" -m venv .venv
     fi
 fi
-.venv/bin/python -m pip install -q -e scripts
+# Mitsuba has no wheels for every machine; all else must be there.
+if ! .venv/bin/python -m pip install -q -e 'scripts[mitsuba]'; then .venv/bin/python -m pip install -q -e scripts; fi
 
 say "style"
 cargo fmt --all --check
+
+say "Vulkan in software"
+source scripts/vulkan.sh
 
 say "tests (Rust)"
 # In release: the networks trained and spheres rendered would take minutes more otherwise, and `cargo run --release`
@@ -41,19 +45,40 @@ cargo test --release --workspace
 say "the window"
 if [ "$(uname)" = Linux ]; then scripts/smoke.sh; else echo "SKIPPED: a window without a display is opened under Xvfb, on Linux"; fi
 
+say "pages in a browser"
+source scripts/browser.sh
+mkdir -p target
+if [ -n "$NBRDF_BROWSER" ]; then
+    .venv/bin/python scripts/browser_check.py target/browser.json
+else
+    echo "SKIPPED: no Chromium, and it could not be installed (Debian: apt-get install chromium)"
+fi
+
 say "lints"
 cargo clippy --release --workspace --all-targets -- -D warnings
+
+say "documentation"
+RUSTDOCFLAGS="-D warnings" cargo doc --release --no-deps --workspace
+
+say "the tour"
+scripts/tour.sh target/tour
 
 say "tests (Python)"
 .venv/bin/python -m pytest -q scripts
 
 say "Rust against JAX"
 if [ -d "$NBRDF_DATA" ]; then
-    mkdir -p target
-    target/release/nbrdf evaluate --with znbrdf --per-material --json --quiet > target/check.json
-    .venv/bin/python scripts/evaluate.py --report target/check.json --checkpoint autoencoder/assets/znbrdf.safetensors
+    # A minute of it: the autoencoder's held-out rows, two pairs of every walk, and what docs/results.md says of them.
+    .venv/bin/python scripts/evaluate.py --quick
 else
     echo "SKIPPED: no published data in $NBRDF_DATA"
+fi
+
+say "against Mitsuba"
+if .venv/bin/python -c 'import mitsuba' 2>/dev/null; then
+    .venv/bin/python scripts/mitsuba_check.py --quick
+else
+    echo "SKIPPED: Mitsuba 3 cannot be installed here (pip install mitsuba); exports to it are not checked"
 fi
 
 say "fuzzing"

@@ -44,4 +44,12 @@ t=$(value "$NBRDF_SESSION" 'd["session"]["blend"]["t"]')
 first=$(value "$scratch/report.json" 'round(d["first_frame_s"], 3)')
 [ "$memory_mb" -le $most_memory_mb ] || fail "at most $most_memory_mb MB were expected, found $memory_mb"
 python3 -c "import sys; sys.exit(not $first <= $most_first_frame_s)" || fail "the first frame took $first s"
+# Where OpenGL opens no window, the app starts itself again on wgpu. Xvfb within Xvfb: this one knows no OpenGL.
+if [ -n "${NBRDF_REQUIRE_VULKAN:-}" ]; then
+    __EGL_VENDOR_LIBRARY_FILENAMES=/none xvfb-run -a -s "-screen 0 800x600x24 -extension GLX" \
+        timeout 120 "$nbrdf" app --new --size 720x540 --screenshot "$scratch/second.png" 2>"$scratch/second.log" ||
+        { cat "$scratch/second.log" >&2; fail "without OpenGL no window opened"; }
+    [ -s "$scratch/second.png" ] || fail "without OpenGL nothing was drawn"
+    echo "without OpenGL it opens on wgpu"
+fi
 echo "the window opens ($first s to the first frame), scrubs, undoes and closes; $memory_mb MB at most"

@@ -8,6 +8,8 @@ mod chart;
 mod codes;
 #[path = "cli/determinism.rs"]
 mod determinism;
+#[path = "cli/export.rs"]
+mod export;
 #[cfg(unix)]
 #[path = "cli/killed.rs"]
 mod killed;
@@ -79,7 +81,7 @@ fn unknown_names_bring_the_nearest_and_exit_with_2() {
     assert!(place.run(&["encode", "chrome", "--with", "pca_table"]).fails(2).contains("pca_tables"));
     place.run(&["frobnicate"]).fails(2);
     place.run(&["render", "chrome", "-o", "x.gif"]).fails(2);
-    place.run_with_input(&["decode", "-", "-o", "x.h5"], b"").fails(2);
+    place.run_with_input(&["decode", "-", "-o", "x.gif"], b"").fails(2);
     assert!(place.names().is_empty());
 }
 

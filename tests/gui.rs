@@ -1,7 +1,13 @@
 //! The desktop app, driven without a window.
 
+#[path = "gui/alone.rs"]
+mod alone;
 #[path = "gui/blend.rs"]
 mod blend;
+#[path = "gui/clipboard.rs"]
+mod clipboard;
+#[path = "gui/crash.rs"]
+mod crash;
 #[path = "gui/export.rs"]
 mod export;
 #[path = "gui/figures.rs"]
@@ -17,18 +23,30 @@ use egui::{Key, Modifiers};
 use egui_kittest::{Harness, kittest::Queryable as _};
 use nbrdf::gui::session::{Look, Methods};
 use nbrdf::gui::{Session, Workbench};
-use nbrdf::worker::{Card, Lighting, Scenery, Stock};
+use nbrdf::worker::{Asset, Card, Lighting, Scenery, Stock};
 use nbrdf_core::Nbrdf;
 use nbrdf_core::nbrdf::{PUBLISHED_WEIGHTS, npy};
 
 #[path = "gui/compare.rs"]
 mod compare;
+#[path = "gui/keys.rs"]
+mod keys;
 #[path = "gui/library.rs"]
 mod library;
 #[path = "gui/map.rs"]
 mod map;
+#[path = "gui/pasted.rs"]
+mod pasted;
+#[path = "gui/room.rs"]
+mod room;
 #[path = "gui/scenery.rs"]
 mod scenery;
+#[path = "gui/sources.rs"]
+mod sources;
+#[path = "gui/strips.rs"]
+mod strips;
+#[path = "gui/worker.rs"]
+mod worker;
 
 fn quick() -> Session {
     Session { methods: Methods(vec!["raw_weights"]), strips: false, ..Session::default() }
@@ -122,7 +140,7 @@ fn film_strips_show_whole_paths_and_go_there() {
 
 #[test]
 fn light_from_all_around_settles_and_lamps_come_back() {
-    let around = Lighting::Around { map: 0, turn: 0.3 };
+    let around = Lighting::Around { map: Asset::BuiltIn, turn: 0.3 };
     let mut harness = open(Stock::built_in(), Session { look: under(around), ..quick() }, [640.0, 480.0]);
     settle(&mut harness);
     assert!(harness.query_by_label("Sphere raw_weights: shown").is_some());
@@ -141,9 +159,12 @@ fn a_map_that_is_opened_is_shown_and_one_that_is_none_is_a_notice() {
     let grey = nbrdf_core::Image::new(8, 4, vec![nbrdf_core::Rgb::splat(0.5); 32]);
     grey.write_exr(&map).unwrap();
     let mut harness = built_in(quick());
-    harness.state().open(map);
+    harness.state().open(map.clone());
     until(&mut harness, "the map is listed", |bench| bench.gallery.maps.len() == 2);
-    assert_eq!(harness.state().session.look.scenery.lighting, Lighting::Around { map: 1, turn: 0.0 });
+    assert_eq!(
+        harness.state().session.look.scenery.lighting,
+        Lighting::Around { map: Asset::of_file(&map), turn: 0.0 }
+    );
     let square = folder.path().join("square.exr");
     nbrdf_core::Image::black(4, 4).write_exr(&square).unwrap();
     harness.state().open(square);

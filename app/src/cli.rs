@@ -10,11 +10,12 @@ use nbrdf_core::simd::{InstructionSet, VARIABLE};
 use crate::command::Global;
 use crate::command::{
     axes::Axes, blend::Blend, chart::Chart, compare::Compare, completions::Completions, decode::Decode, edit::Edit,
-    encode::Encode, evaluate::Evaluate, fit::Fit, import::Import, info::Info, learn::Learn, linear::Linear, list::List,
-    manifold::Manifold, plan::Plan, reconstruct::Reconstruct, render::Render, sampling::Sampling, speed::Speed,
-    stress::Stress, train::Train,
+    encode::Encode, evaluate::Evaluate, export::Export, fit::Fit, import::Import, info::Info, learn::Learn,
+    linear::Linear, list::List, man::Man, manifold::Manifold, plan::Plan, reconstruct::Reconstruct, render::Render,
+    sampling::Sampling, speed::Speed, stress::Stress, train::Train,
 };
 use crate::failure::{Failure, advice, exit_code};
+use crate::visible::visible;
 
 /// Measured materials as 32 numbers: walk between them, render them, judge them.
 #[derive(Debug, Parser)]
@@ -38,6 +39,7 @@ enum Command {
     Learn(Learn),
     Encode(Encode),
     Decode(Decode),
+    Export(Export),
     Blend(Blend),
     Edit(Edit),
     Render(Render),
@@ -53,6 +55,7 @@ enum Command {
     Stress(Stress),
     Speed(Speed),
     Completions(Completions),
+    Man(Man),
 }
 
 /// Parses the arguments and runs; the exit code says how it went.
@@ -61,10 +64,11 @@ pub fn run() -> ExitCode {
     match cli.execute() {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) => {
-            match advice(&error) {
-                Some(advice) => eprintln!("error: {error:#}: {advice}"),
-                None => eprintln!("error: {error:#}"),
-            }
+            let text = match advice(&error) {
+                Some(advice) => format!("error: {error:#}: {advice}"),
+                None => format!("error: {error:#}"),
+            };
+            eprintln!("{}", visible(&text));
             ExitCode::from(exit_code(&error))
         }
     }
@@ -116,12 +120,14 @@ impl Cli {
             Some(Command::Speed(command)) => command.run(&self.global),
             Some(Command::Encode(command)) => command.run(&self.global),
             Some(Command::Decode(command)) => command.run(&self.global),
+            Some(Command::Export(command)) => command.run(&self.global),
             Some(Command::Blend(command)) => command.run(&self.global),
             Some(Command::Edit(command)) => command.run(&self.global),
             Some(Command::Axes(command)) => command.run(&self.global),
             Some(Command::Manifold(command)) => command.run(&self.global),
             Some(Command::Render(command)) => command.run(&self.global),
             Some(Command::Completions(command)) => command.run(),
+            Some(Command::Man(command)) => command.run(&self.global),
             #[cfg(feature = "gui")]
             Some(Command::App(app)) => app.run(),
             #[cfg(feature = "gui")]

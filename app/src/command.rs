@@ -9,12 +9,14 @@ pub mod decode;
 pub mod edit;
 pub mod encode;
 pub mod evaluate;
+pub mod export;
 pub mod fit;
 pub mod import;
 pub mod info;
 pub mod learn;
 pub mod linear;
 pub mod list;
+pub mod man;
 pub mod manifold;
 pub mod plan;
 pub mod reconstruct;
@@ -30,6 +32,7 @@ use nbrdf_core::Warning;
 
 use crate::material::{Item, Shelf};
 use crate::measure::guard;
+use crate::visible::visible;
 
 /// Switches that every command takes.
 #[derive(Debug, Clone, Args)]
@@ -60,7 +63,7 @@ impl Global {
     /// A remark on stderr, unless quiet.
     pub fn say(&self, remark: std::fmt::Arguments) {
         if !self.quiet {
-            eprintln!("{remark}");
+            eprintln!("{}", visible(&remark.to_string()));
         }
     }
 

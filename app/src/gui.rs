@@ -24,6 +24,8 @@ mod notices;
 mod palette;
 pub mod pane;
 mod pick;
+mod picture;
+mod put;
 mod renderer;
 pub mod reproduce;
 mod scrubber;
@@ -33,6 +35,7 @@ mod stage;
 mod status;
 pub mod store;
 mod strips;
+mod travel;
 mod window;
 mod workbench;
 

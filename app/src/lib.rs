@@ -4,6 +4,7 @@ pub mod catalog;
 pub mod cli;
 pub mod command;
 pub mod editor;
+pub mod exported;
 pub mod failure;
 pub mod families;
 pub mod fitted;
@@ -15,5 +16,6 @@ pub mod output;
 pub mod progress;
 pub mod report;
 pub mod strip;
+pub mod visible;
 #[cfg(feature = "gui")]
 pub mod worker;

@@ -29,11 +29,22 @@ pub struct Sources {
     checkpoint: Option<PathBuf>,
 }
 
+impl Sources {
+    /// The options that were given, as a command line has them after its arguments.
+    pub fn options(&self, quoted: impl Fn(&str) -> String) -> String {
+        let given = [("library", &self.library), ("checkpoint", &self.checkpoint)];
+        let option = |(name, path): (&str, &Option<PathBuf>)| {
+            path.as_ref().map(|path| format!(" --{name} {}", quoted(&path.to_string_lossy())))
+        };
+        given.into_iter().filter_map(option).collect()
+    }
+}
+
 /// Opened sources.
 pub struct Shelf {
     library: Option<Library>,
     /// Everything by name, with the checkpoint asked for.
-    pub catalog: Catalog,
+    pub catalog: Arc<Catalog>,
 }
 
 /// A material, and where it comes from.
@@ -57,13 +68,13 @@ impl Sources {
             Some(path) => catalog.with_checkpoint(path)?,
             None => catalog,
         };
-        Ok(Shelf::new(self.library.as_deref().map(Library::load).transpose()?, catalog))
+        Ok(Shelf::new(self.library.as_deref().map(Library::load).transpose()?, Arc::new(catalog)))
     }
 }
 
 impl Shelf {
     /// Names of this library, or of the built-in one.
-    pub const fn new(library: Option<Library>, catalog: Catalog) -> Self {
+    pub const fn new(library: Option<Library>, catalog: Arc<Catalog>) -> Self {
         Self { library, catalog }
     }
 

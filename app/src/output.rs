@@ -6,6 +6,7 @@ use anyhow::{Context, Result};
 use nbrdf_core::{Image, atomic};
 
 use crate::failure::Failure;
+use crate::material::parse_code;
 use crate::report::png::png;
 
 /// Extensions of pictures.
@@ -32,6 +33,27 @@ pub fn check(path: &Path, extensions: &[&str]) -> Result<()> {
 pub fn check_writable(path: &Path) -> Result<()> {
     let refused = |error| Failure::InvalidFile(format!("{}: cannot be written: {error}", path.display()));
     atomic::check(path).map_err(|error| refused(error).into())
+}
+
+/// Refuses to write over a file that is read.
+pub fn check_no_input(path: &Path, inputs: &[String]) -> Result<()> {
+    let Ok(there) = path.canonicalize() else { return Ok(()) };
+    let is_read = inputs.iter().any(|input| Path::new(input).canonicalize().is_ok_and(|input| input == there));
+    if is_read {
+        let path = path.display();
+        return Err(Failure::Usage(format!("{path}: is read and would be written over: choose another name")).into());
+    }
+    Ok(())
+}
+
+/// Refuses to write a form's second file over a code that nobody named.
+pub fn check_no_code(path: &Path) -> Result<()> {
+    let is_code = std::fs::read(path).is_ok_and(|bytes| parse_code("", &bytes).is_ok());
+    if is_code {
+        let path = path.display();
+        return Err(Failure::Usage(format!("{path}: is a code and would be written over: choose another name")).into());
+    }
+    Ok(())
 }
 
 /// Makes a folder to write into, and refuses one that cannot be written into.

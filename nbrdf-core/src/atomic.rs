@@ -62,7 +62,7 @@ pub fn hold(folder: &Path) -> Held {
 }
 
 /// Keeps others from replacing a folder's files together while they are read, by any number of readers at once.
-pub fn hold_to_read(folder: &Path) -> Held {
+pub(crate) fn hold_to_read(folder: &Path) -> Held {
     Held(File::open(folder).ok().filter(|folder| uninterrupted(|| folder.lock_shared())))
 }
 

@@ -1,7 +1,7 @@
 //! What a material is to everything else: a function from a pair of directions to a reflectance.
 
 pub mod abc;
-pub mod factored;
+pub(crate) mod factored;
 pub mod free_fresnel;
 pub mod ggx;
 pub mod lambert;

@@ -56,13 +56,7 @@ impl fmt::Display for Database {
 
 /// The name a material goes by, from the stem of its published file: `paper_white_rgb` is `rgl/paper_white`
 /// (RGL files end in `_rgb`), every other stem is the name itself.
-///
-/// ```
-/// use nbrdf_core::database::name_from_stem;
-/// assert_eq!(name_from_stem("paper_white_rgb"), "rgl/paper_white");
-/// assert_eq!(name_from_stem("chrome"), "chrome");
-/// ```
-pub fn name_from_stem(stem: &str) -> String {
+pub(crate) fn name_from_stem(stem: &str) -> String {
     match stem.strip_suffix("_rgb") {
         Some(name) if !name.is_empty() => format!("rgl/{name}"),
         _ => stem.to_owned(),
@@ -72,6 +66,13 @@ pub fn name_from_stem(stem: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn files_of_rgl_are_known_by_their_end() {
+        assert_eq!(name_from_stem("paper_white_rgb"), "rgl/paper_white");
+        assert_eq!(name_from_stem("chrome"), "chrome");
+        assert_eq!(name_from_stem("_rgb"), "_rgb");
+    }
 
     #[test]
     fn standard_names_are_sorted_and_know_their_database() {

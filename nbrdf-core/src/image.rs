@@ -3,7 +3,7 @@
 mod exr;
 mod hdr;
 mod png;
-pub mod read;
+pub(crate) mod read;
 mod tone;
 
 use std::{

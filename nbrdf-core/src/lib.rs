@@ -25,33 +25,46 @@
 //! assert!(errors.psnr > 20.0 && LogError.distance(&*mix, &*middle) < 0.1);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
+//!
+//! Where to begin: [`Brdf`] is a reflectance, [`Representation`] a material as numbers and back, [`Interpolation`] a walk,
+//! [`metric::Metric`] a distance, [`Sampler`] a way to draw lights. Modules that these pages do not show are public for the
+//! other crates of the workspace alone, and change without notice.
 
+#[doc(hidden)]
 pub mod adam;
+#[doc(hidden)]
 pub mod atomic;
 pub mod axis;
+#[doc(hidden)]
 pub mod bounded;
 pub mod brdf;
 pub mod class;
-pub mod color;
+mod color;
 pub mod cost;
 pub mod data;
 pub mod database;
+#[doc(hidden)]
 pub mod dense;
 pub mod direction;
+#[doc(hidden)]
 pub mod hash;
 pub mod image;
-pub mod least_squares;
+mod least_squares;
 pub mod library;
+#[doc(hidden)]
 pub mod linear_system;
-pub mod material;
+mod material;
 pub mod measured;
 pub mod merl;
 pub mod metric;
 pub mod nbrdf;
+pub mod parametric;
 pub mod path;
 pub mod plan;
+#[doc(hidden)]
 pub mod published_fits;
 pub mod quality;
+#[doc(hidden)]
 pub mod rank;
 pub mod render;
 pub mod representation;
@@ -60,12 +73,15 @@ pub mod sample_list;
 pub mod sampler;
 pub mod sampling;
 pub mod scene;
+pub mod shader;
 pub mod simd;
 pub mod spectrum;
 pub mod split;
+#[doc(hidden)]
 pub mod stress;
+#[doc(hidden)]
 pub mod tensor_file;
-pub mod warning;
+mod warning;
 
 pub use brdf::Brdf;
 pub use color::Rgb;

@@ -7,6 +7,7 @@
 mod delta_e_itp;
 mod flip;
 mod image_errors;
+mod linear_errors;
 mod log_error;
 mod physics;
 mod plane;
@@ -17,18 +18,19 @@ mod smoothness;
 mod spread;
 mod ssim;
 
-pub use delta_e_itp::{ItpImage, delta_e_itp, delta_e_itp_map, itp_and_slopes};
-pub use flip::{Seen, flip, flip_map, flip_of_colors};
+pub(crate) use delta_e_itp::itp_and_slopes;
+pub use delta_e_itp::{ItpImage, delta_e_itp, delta_e_itp_map};
+pub(crate) use flip::flip_of_colors;
+pub use flip::{Seen, flip, flip_map};
 pub use image_errors::{ImageErrors, ImageMetric, image_errors};
+pub use linear_errors::LinearErrors;
 pub use log_error::{LogError, log_error, log_error_estimate};
 pub use physics::{Physics, albedo_max, albedo_max_around, directional_albedo, negative_share, reciprocity};
 pub use psnr::{PSNR_CAP, mae, psnr, rmse};
 pub use relative_log::{RelativeLog, relative_log};
 pub use rendered::Rendered;
-pub use smoothness::{
-    Smoothness, change_of_detour, chromaticity_and_slopes, detour, distance_from_segment, hue_excursion,
-    mean_chromaticity,
-};
+pub use smoothness::{Smoothness, detour, distance_from_segment, hue_excursion, mean_chromaticity};
+pub(crate) use smoothness::{change_of_detour, chromaticity_and_slopes};
 pub use spread::{Spread, badness};
 pub use ssim::ssim;
 

@@ -21,7 +21,7 @@ pub mod samples;
 mod shape;
 mod shrink;
 pub mod symmetry;
-pub mod tangent;
+pub(crate) mod tangent;
 
 use std::any::Any;
 use std::ops::Range;

@@ -8,7 +8,7 @@ pub mod geodesic;
 pub mod mix;
 pub mod nearest_end;
 pub mod weight_path;
-pub mod weights;
+mod weights;
 
 use std::cell::Cell;
 

@@ -21,6 +21,7 @@ use std::sync::{Arc, OnceLock};
 
 pub use environment::Environment;
 pub use frame::{Frame, MAX_ZOOM};
+use glam::DVec3;
 pub use light::{Lamp, Light};
 pub use model::Model;
 pub use place::Place;
@@ -36,8 +37,8 @@ use crate::{Brdf, Directions, Image, Rgb};
 pub const METRIC_SIZE: usize = 128;
 /// Up to this many pixels times lamps the geometry is kept (some 60 MB); beyond, each render derives it again row by row.
 const KEPT_PAIRS: usize = 1 << 20;
-/// The same of meshes, which leave more of the picture empty and take rays to derive.
-const KEPT_PAIRS_OF_MESHES: usize = 5 << 20;
+/// Bytes of the shadows that a mesh casts on itself, which take rays to derive: up to so many are kept beyond that, too.
+const KEPT_SHADOWS: usize = 32 << 20;
 
 /// The geometry of one picture, ready for any number of materials; of a sphere, unless it is [of](Self::of) another
 /// surface.
@@ -47,7 +48,12 @@ pub struct Sphere {
     light: Light,
     covered: Vec<bool>,
     rows: Vec<Row>,
+    /// Where rows are not kept, which lamps each pixel of a mesh sees; empty where that is not kept either.
+    shadows: Vec<Seen>,
 }
+
+/// Which of the first lamps a pixel sees, one bit each.
+type Seen = u32;
 
 /// What one row of pixels asks of a material.
 #[derive(Clone, Debug, Default)]
@@ -69,20 +75,27 @@ impl Sphere {
     /// A picture of any surface under `light`.
     pub fn of(surfaces: Arc<Surfaces>, light: &Light) -> Self {
         let found = Self::unless(&|| false, Arc::clone(&surfaces), light);
-        found.unwrap_or_else(|| Self { covered: surfaces.covered(), rows: Vec::new(), light: light.clone(), surfaces })
+        found.unwrap_or_else(|| Self::with((Vec::new(), Vec::new()), surfaces, light))
     }
 
     /// As [`of`](Self::of); none as soon as `stops`, which is asked before every row.
     pub fn unless(stops: &(dyn Fn() -> bool + Sync), surfaces: Arc<Surfaces>, light: &Light) -> Option<Self> {
-        let size = surfaces.size();
-        let most = if matches!(surfaces.model(), Model::Mesh(_)) { KEPT_PAIRS_OF_MESHES } else { KEPT_PAIRS };
-        let row = |y| (!stops()).then(|| Row::new(&surfaces, y, light));
-        let rows = if size * size * light.lamps.len() <= most {
-            (0..size).into_par_iter().map(row).collect::<Option<_>>()?
-        } else {
-            Vec::new()
-        };
-        Some(Self { covered: surfaces.covered(), rows, light: light.clone(), surfaces })
+        let (size, lamps) = (surfaces.size(), light.lamps.len());
+        let is_shadowed = matches!(surfaces.model(), Model::Mesh(_)) && lamps <= Seen::BITS as usize;
+        let (mut rows, mut shadows) = (Vec::new(), Vec::new());
+        if size * size * lamps <= KEPT_PAIRS {
+            let row = |y| (!stops()).then(|| Row::new(&surfaces, y, light, None));
+            rows = (0..size).into_par_iter().map(row).collect::<Option<_>>()?;
+        } else if is_shadowed && size * size * size_of::<Seen>() <= KEPT_SHADOWS {
+            let row = |y| (!stops()).then(|| (0..size).map(|x| seen(&surfaces, (x, y), light)).collect());
+            let rows: Vec<Vec<Seen>> = (0..size).into_par_iter().map(row).collect::<Option<_>>()?;
+            shadows = rows.concat();
+        }
+        Some(Self::with((rows, shadows), surfaces, light))
+    }
+
+    fn with((rows, shadows): (Vec<Row>, Vec<Seen>), surfaces: Arc<Surfaces>, light: &Light) -> Self {
+        Self { covered: surfaces.covered(), rows, shadows, light: light.clone(), surfaces }
     }
 
     /// At the size of the metrics under light `point`; made once.
@@ -131,12 +144,32 @@ impl Sphere {
     /// # Panics
     /// If the image is not of this [`size`](Self::size) (a bug of the caller).
     pub fn render_into(&self, brdf: &dyn Brdf, image: &mut Image) {
+        self.render_into_unless(&|| false, brdf, image);
+    }
+
+    /// As [`render_into`](Self::render_into); gives up as soon as `stops`, which is asked before every row. Whether the
+    /// picture is whole.
+    ///
+    /// # Panics
+    /// As [`render_into`](Self::render_into).
+    pub fn render_into_unless(&self, stops: &(dyn Fn() -> bool + Sync), brdf: &dyn Brdf, image: &mut Image) -> bool {
         let size = self.size();
         assert_eq!((image.width(), image.height()), (size, size), "a picture of the sphere's size");
-        image.pixels_mut().par_chunks_mut(size.max(1)).enumerate().for_each(|(y, out)| match self.rows.get(y) {
-            Some(row) => row.shade(brdf, out),
-            None => Row::new(&self.surfaces, y, &self.light).shade(brdf, out),
+        let rows = image.pixels_mut().par_chunks_mut(size.max(1)).enumerate();
+        let shaded = rows.map(|(y, out)| {
+            if stops() {
+                return None;
+            }
+            match self.rows.get(y) {
+                Some(row) => row.shade(brdf, out),
+                None => {
+                    let shadows = self.shadows.get(y * size..(y + 1) * size);
+                    Row::new(&self.surfaces, y, &self.light, shadows).shade(brdf, out);
+                }
+            }
+            Some(())
         });
+        shaded.collect::<Option<()>>().is_some()
     }
 }
 
@@ -156,7 +189,7 @@ impl Lit {
         for pixel in 0..size * size {
             if let Some(surface) = surfaces.at(pixel % size, pixel / size) {
                 let before = at.len();
-                light_up(&surfaces, surface, light, &mut at, &mut weights);
+                light_up(&surfaces, surface, light, None, (&mut at, &mut weights));
                 lamps.push(at.len() - before);
             }
         }
@@ -170,12 +203,13 @@ thread_local! {
 }
 
 impl Row {
-    fn new(surfaces: &Surfaces, y: usize, light: &Light) -> Self {
+    /// Traces shadows, unless it is known what each pixel sees.
+    fn new(surfaces: &Surfaces, y: usize, light: &Light, shadows: Option<&[Seen]>) -> Self {
         let (mut pixels, mut at, mut weights) = (Vec::new(), Vec::new(), Vec::new());
         for x in 0..surfaces.size() {
             if let Some(surface) = surfaces.at(x, y) {
                 let before = at.len();
-                light_up(surfaces, surface, light, &mut at, &mut weights);
+                light_up(surfaces, surface, light, shadows.map(|seen| seen[x]), (&mut at, &mut weights));
                 pixels.push((x, at.len() - before));
             }
         }
@@ -202,14 +236,35 @@ impl Row {
     }
 }
 
-/// Adds the pairs of one pixel: one for each lamp that shines on the front of its surface.
-fn light_up(surfaces: &Surfaces, surface: Surface, light: &Light, at: &mut Vec<Directions>, weights: &mut Vec<Rgb>) {
+/// Which lamps shine on the front of what a pixel sees, and are not hidden from it.
+fn seen(surfaces: &Surfaces, (x, y): (usize, usize), light: &Light) -> Seen {
+    let Some(surface) = surfaces.at(x, y) else { return 0 };
     let to_surface = surface.to_view().transpose();
     let view = (to_surface * surface.view).as_vec3();
-    for lamp in &light.lamps {
+    let is_lit = |direction: DVec3| Directions::new((to_surface * direction).as_vec3(), view).is_above();
+    let bits = light.lamps.iter().enumerate().map(|(lamp, own)| {
+        let direction = own.direction.as_dvec3();
+        Seen::from(is_lit(direction) && surfaces.is_open(&surface, direction)) << lamp
+    });
+    bits.sum()
+}
+
+/// Adds the pairs of one pixel: one for each lamp that shines on the front of its surface. Rays tell which are hidden,
+/// unless it is known what the pixel sees.
+fn light_up(
+    surfaces: &Surfaces,
+    surface: Surface,
+    light: &Light,
+    seen: Option<Seen>,
+    (at, weights): (&mut Vec<Directions>, &mut Vec<Rgb>),
+) {
+    let to_surface = surface.to_view().transpose();
+    let view = (to_surface * surface.view).as_vec3();
+    for (place, lamp) in light.lamps.iter().enumerate() {
         let direction = lamp.direction.as_dvec3();
         let pair = Directions::new((to_surface * direction).as_vec3(), view);
-        if pair.is_above() && surfaces.is_open(&surface, direction) {
+        let is_open = || seen.map_or_else(|| surfaces.is_open(&surface, direction), |seen| (seen >> place) & 1 == 1);
+        if pair.is_above() && is_open() {
             at.push(pair);
             weights.push(lamp.irradiance * pair.light.z);
         }
@@ -283,6 +338,25 @@ mod tests {
         let derived = Sphere { rows: Vec::new(), ..kept.clone() };
         assert!(!kept.rows.is_empty() && Sphere::new(1025, &Light::point()).rows.is_empty());
         assert_eq!(kept.render(&GLOSSY), derived.render(&GLOSSY));
+    }
+
+    #[test]
+    fn kept_shadows_of_a_mesh_change_no_bit() {
+        let knot = Model::Mesh(Arc::new(Mesh::knot()));
+        let light = Light::studio();
+        let sphere = Sphere::of(Arc::new(Surfaces::new(312, &knot, Frame::WHOLE)), &light);
+        assert!(sphere.rows.is_empty() && sphere.shadows.len() == 312 * 312);
+        let traced = Sphere { shadows: Vec::new(), ..sphere.clone() };
+        assert_eq!(sphere.render(&GLOSSY), traced.render(&GLOSSY));
+    }
+
+    #[test]
+    fn a_picture_that_is_stopped_is_not_whole() {
+        let mut image = Image::black(128, 128);
+        assert!(!Sphere::point().render_into_unless(&|| true, &WHITE, &mut image));
+        assert_eq!(image, Image::black(128, 128));
+        assert!(Sphere::point().render_into_unless(&|| false, &WHITE, &mut image));
+        assert_eq!(image, Sphere::point().render(&WHITE));
     }
 
     #[test]

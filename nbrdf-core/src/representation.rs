@@ -3,7 +3,7 @@
 pub mod analytic;
 pub mod basis;
 pub mod charting;
-pub mod code;
+mod code;
 pub mod factored_microfacet;
 pub mod grid;
 pub mod linear_combination;
@@ -17,7 +17,7 @@ pub mod pca_weights;
 pub mod refined;
 pub mod span;
 pub mod table;
-pub mod value_table;
+pub(crate) mod value_table;
 pub mod values;
 
 pub use code::{Code, check_numbers};

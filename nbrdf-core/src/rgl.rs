@@ -1,11 +1,14 @@
-//! Measured materials of the RGL database: `.bsdf` tensor files with RGB data.
+//! Measured materials of the RGL database: `.bsdf` tensor files with RGB data, read and written.
 //!
 //! J. Dupuy, W. Jakob, *An Adaptive Parameterization for Efficient Material Acquisition and Rendering* (2018), section 4:
 //! half vectors are warped by the material's own distribution of visible normals, so that few samples fall where much
 //! happens. Stored values are f_r · cos θ of the light; the eye is the first direction. Isotropic files hold one φ.
 
+mod density;
 mod fields;
 mod grid;
+mod tabulate;
+mod write;
 
 use std::f32::consts::{PI, TAU};
 use std::io;
@@ -16,6 +19,7 @@ use fields::{Fields, mismatch};
 use grid::{Grid, Warp};
 
 pub use fields::FieldError;
+pub use tabulate::{Resolution, Tabulation, tabulated_within};
 
 /// Largest file that is read \[bytes\]; published ones with RGB data stay below 60 MB.
 const MAX_FILE: u64 = 256 << 20;

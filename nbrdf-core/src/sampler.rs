@@ -10,7 +10,7 @@ mod mixture;
 mod outgoing;
 pub mod uniform;
 pub mod variance;
-mod visible_normals;
+pub(crate) mod visible_normals;
 
 use crate::{Directions, Vec3};
 

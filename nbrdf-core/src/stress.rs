@@ -4,7 +4,7 @@
 
 pub mod damage;
 pub mod directions;
-pub mod hazard;
+mod hazard;
 pub mod numbers;
 pub mod samples;
 

@@ -1,4 +1,4 @@
-//! Our figures against those of other programs; `scripts/make_golden_metrics.py` says which and how.
+//! Our figures against those of other programs; `scripts/golden/metrics.py` says which and how.
 
 use nbrdf_core::{
     Brdf, Image, Rgb,

@@ -1,7 +1,9 @@
 """Independent second implementation of nbrdf, written from the papers and the measuring protocol.
 
 Every numeric function asks its arguments which library they come from (`x.__array_namespace__()`), so the
-same lines run in NumPy (golden numbers) and in JAX (batches, `vmap`, `jit`). All of it is float64.
+same lines run in NumPy (golden numbers) and in JAX (batches, `vmap`, `jit`). All of it is float64, but for the fits of many
+networks at once. Where the protocol leaves a choice open (where cells of a table lie, how a walk is bounded beyond its ends),
+docs/conventions.md and the heads of the files say which one is shared.
 """
 
 import jax

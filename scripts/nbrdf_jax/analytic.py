@@ -1,34 +1,38 @@
 """Reflectances known by formula: Lambert, and f = k_d/π + D G F / (4 cos θ_i cos θ_o).
 
-D: GGX (Walter et al. 2007), Beckmann, GTR1 (Burley 2012). G: height-correlated Smith of GGX (Heitz 2014) with the same
+D: GGX (Walter et al. 2007), Beckmann, GTR1 (Burley 2012), Blinn–Phong. G: height-correlated Smith of GGX (Heitz 2014) with the same
 α whatever D is. F: Schlick 1994. α is the width itself, not its square root.
 """
 
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 
-Array = Any
+from .arrays import Array, Numbers, Vectors
 
 
-def ggx(cos_h: Array, alpha: float) -> Array:
+def ggx(cos_h: Numbers, alpha: float) -> Numbers:
     """cos θ_half [n] → D [n] in 1/sr."""
     return alpha**2 / (np.pi * (cos_h**2 * (alpha**2 - 1) + 1) ** 2)
 
 
-def beckmann(cos_h: Array, alpha: float) -> Array:
+def beckmann(cos_h: Numbers, alpha: float) -> Numbers:
     """cos θ_half [n] → D [n] in 1/sr."""
     xp = cos_h.__array_namespace__()
     return xp.exp((1 - 1 / cos_h**2) / alpha**2) / (np.pi * alpha**2 * cos_h**4)
 
 
-def gtr1(cos_h: Array, alpha: float) -> Array:
+def gtr1(cos_h: Numbers, alpha: float) -> Numbers:
     """cos θ_half [n] → D [n] in 1/sr; γ = 1."""
     return (alpha**2 - 1) / (np.pi * np.log(alpha**2) * (1 + (alpha**2 - 1) * cos_h**2))
 
 
-LOBES = {"ggx": ggx, "beckmann": beckmann, "gtr1": gtr1}
+def blinn_phong(cos_h: Numbers, alpha: float) -> Numbers:
+    """cos θ_half [n] → D [n] in 1/sr: a power of the cosine, exponent 2/α² − 2 (Walter et al. 2007, section 5.2)."""
+    return cos_h ** (2 / alpha**2 - 2) / (np.pi * alpha**2)
+
+
+LOBES = {"ggx": ggx, "beckmann": beckmann, "gtr1": gtr1, "blinn_phong": blinn_phong}
 
 
 def f0_from_ior(n: float) -> float:
@@ -45,7 +49,7 @@ class Microfacet:
     alpha: float = 1.0
     lobe: str = "ggx"
 
-    def __call__(self, light: Array, view: Array) -> Array:
+    def __call__(self, light: Vectors, view: Vectors) -> Vectors:
         """light [n, 3], view [n, 3] → f_r [n, 3]; zero below either horizon."""
         xp = light.__array_namespace__()
         cos_i, cos_o = light[:, 2], view[:, 2]
@@ -55,7 +59,7 @@ class Microfacet:
             f = f + self._specular(light, view, xp.where(above, cos_i, 1.0), xp.where(above, cos_o, 1.0))
         return xp.where(above[:, None], f, 0.0)
 
-    def _specular(self, light: Array, view: Array, cos_i: Array, cos_o: Array) -> Array:
+    def _specular(self, light: Vectors, view: Vectors, cos_i: Numbers, cos_o: Numbers) -> Array:
         xp = light.__array_namespace__()
         total = light + view
         length = xp.sqrt(xp.sum(total * total, axis=-1))

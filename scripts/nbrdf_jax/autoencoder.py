@@ -7,17 +7,17 @@ Permuting RGB permutes the code exactly. All sizes are read from the tensors.
 
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
 
 import jax
 import jax.numpy as jnp
 import numpy as np
+from jaxtyping import Float
 from safetensors import SafetensorError, safe_open
 
+from .arrays import Array, Code, Weights
 from .invalid import InvalidFile
 from .network import reflectance, size
 
-Array = Any
 CHANNELS = 3
 ENCODER = ("encoder.body.0", "encoder.body.1", "encoder.body.2")
 TRUNK = ("decoder.trunk.0", "decoder.trunk.1", "decoder.trunk.2")
@@ -54,7 +54,7 @@ class Autoencoder:
         a = (self.tensors["decoder.trunk.2.bias"].shape[0] - b) // (7 + b)
         return (6, a, b, CHANNELS)
 
-    def encode(self, weights: Array) -> Array:
+    def encode(self, weights: Weights) -> Code:
         """weights [675] of any network → code [S + 3 C]."""
         t = self._features(reflectance(weights, self.tensors["probes"]))
         mean = _mean_channel(t)
@@ -65,7 +65,7 @@ class Autoencoder:
         channels = self._linear("encoder.channel", jnp.concatenate((own, mean_own), axis=1))
         return jnp.concatenate((shared, channels.reshape(-1)))
 
-    def decode(self, code: Array) -> Array:
+    def decode(self, code: Code) -> Weights:
         """code [S + 3 C] → weights [675]."""
         shared, own = code[: self.shared_size], code[self.shared_size :].reshape(CHANNELS, self.channel_size)
         common = jnp.concatenate((shared, jnp.mean(own, axis=0)))[None, :]
@@ -74,15 +74,15 @@ class Autoencoder:
         columns = self._mlp(HEAD, seen).T  # [b + 1, 3]: the layer-3 kernel row by row, then its bias
         return self.tensors["start"] + self.tensors["spread"] * jnp.concatenate((trunk, columns.reshape(-1)))
 
-    def _features(self, f: Array) -> Array:
+    def _features(self, f: Float[Array, "probes 3"]) -> Float[Array, "3 probes"]:
         """f at the probes [probes, 3] → t [3, probes]."""
         return (jnp.log(f * self.tensors["probe_cosine"][:, None] + 1e-3).T + 3.5) / 2
 
-    def _linear(self, name: str, x: Array) -> Array:
+    def _linear(self, name: str, x: Float[Array, "n inputs"]) -> Float[Array, "n outputs"]:
         """x [n, in] → [n, out]; the stored weight is [out, in]."""
         return x @ self.tensors[f"{name}.weight"].T + self.tensors[f"{name}.bias"][None, :]
 
-    def _mlp(self, names: tuple[str, ...], x: Array, last_active: bool = False) -> Array:
+    def _mlp(self, names: tuple[str, ...], x: Float[Array, "n inputs"], last_active: bool = False) -> Float[Array, "n outputs"]:
         for index, name in enumerate(names):
             x = self._linear(name, x)
             if last_active or index + 1 < len(names):
@@ -90,7 +90,7 @@ class Autoencoder:
         return x
 
 
-def _mean_channel(x: Array) -> Array:
+def _mean_channel(x: Float[Array, "3 n"]) -> Float[Array, "3 n"]:
     """x [3, n] → the mean over channels, repeated for each channel [3, n]."""
     return jnp.broadcast_to(jnp.mean(x, axis=0, keepdims=True), x.shape)
 

@@ -4,12 +4,10 @@ Vectors are in the surface frame: +z is the normal, `light` is ω_i, `view` is �
 Inputs are never folded or mirrored: φ_diff runs over the whole circle.
 """
 
-from typing import Any
-
-Array = Any  # float64 array of NumPy or JAX
+from .arrays import Array, Inputs, Numbers, Vectors
 
 
-def vectors_from_angles(theta_half: Array, phi_half: Array, theta_diff: Array, phi_diff: Array) -> tuple[Array, Array]:
+def vectors_from_angles(theta_half: Numbers, phi_half: Numbers, theta_diff: Numbers, phi_diff: Numbers) -> tuple[Vectors, Vectors]:
     """Angles [n] each → light [n, 3], view [n, 3]."""
     xp = theta_half.__array_namespace__()
     sin_h, cos_h = xp.sin(theta_half), xp.cos(theta_half)
@@ -23,7 +21,7 @@ def vectors_from_angles(theta_half: Array, phi_half: Array, theta_diff: Array, p
     return xp.stack((*light[0], light[1]), axis=-1), xp.stack((*view[0], view[1]), axis=-1)
 
 
-def half_difference(light: Array, view: Array) -> tuple[Array, Array]:
+def half_difference(light: Vectors, view: Vectors) -> tuple[Vectors, Vectors]:
     """light [n, 3], view [n, 3] → half [n, 3], difference [n, 3], with φ_half rotated away.
 
     half = (sin θ_half, 0, cos θ_half). Vectors are taken as given: the light is not normalised again.
@@ -32,7 +30,7 @@ def half_difference(light: Array, view: Array) -> tuple[Array, Array]:
     return half, difference
 
 
-def angles_from_vectors(light: Array, view: Array) -> tuple[Array, Array, Array, Array]:
+def angles_from_vectors(light: Vectors, view: Vectors) -> tuple[Numbers, Numbers, Numbers, Numbers]:
     """light [n, 3], view [n, 3] → θ_half, φ_half, θ_diff, φ_diff, each [n]; the φ in (−π, π]."""
     xp = light.__array_namespace__()
     half, difference, phi_half = _frame(light, view)
@@ -41,7 +39,7 @@ def angles_from_vectors(light: Array, view: Array) -> tuple[Array, Array, Array,
     return theta_half, phi_half, theta_diff, xp.arctan2(difference[..., 1], difference[..., 0])
 
 
-def network_inputs(light: Array, view: Array) -> Array:
+def network_inputs(light: Vectors, view: Vectors) -> Inputs:
     """light [n, 3], view [n, 3] → [n, 6] in the order h.x h.y h.z d.x d.y d.z."""
     return light.__array_namespace__().concatenate(half_difference(light, view), axis=-1)
 

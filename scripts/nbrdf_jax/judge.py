@@ -1,63 +1,66 @@
-"""log_error over `rus32k` and PSNR under `studio` for many pairs of networks at once."""
+"""How far one reflectance is from another: every figure of the measuring protocol that one material has."""
 
 from dataclasses import dataclass
-from functools import cache, partial
+from functools import cached_property
 
-import jax
-import jax.numpy as jnp
 import numpy as np
+from jaxtyping import Float
 
-from . import metrics
-from .coordinates import network_inputs
-from .directions import rus32k
-from .network import WIDTHS, reflectance
-from .sphere import LitSphere
+from . import metrics, physics
+from .delta_e_itp import delta_e_itp
+from .flip import flip
+from .places import LIGHTS, Places, Reflectance, judged
+from .ssim import ssim
 
-SIZE = 128
-
-
-@dataclass(frozen=True)
-class Figures:
-    """One number per material of each metric, [m]."""
-
-    log_error: np.ndarray
-    studio_psnr: np.ndarray
+DIRECTIONS = ("log_error", "relative_log", "negative_share", "albedo_max", "reciprocity")
+PICTURES = ("mae", "rmse", "psnr", "ssim", "flip", "delta_e_itp")
+KEYS = (*DIRECTIONS, *(f"{light}_{metric}" for light in LIGHTS for metric in PICTURES))
 
 
-def judge(reference: jax.Array, other: jax.Array, widths: tuple[int, ...] = WIDTHS) -> Figures:
-    """reference [m, 675], other [m, weights of `widths`] → figures [m] each."""
-    errors, decibels = _judge(reference, other, *_inputs(), widths=widths)
-    return Figures(np.asarray(errors), np.asarray(decibels))
+@dataclass(eq=False)
+class Seen:
+    """A reflectance at all places: what is compared."""
+
+    signed: Float[np.ndarray, "n 3"]
+    places: Places
+
+    @classmethod
+    def of(cls, reflectance: Reflectance) -> "Seen":
+        """At the places of `judged`."""
+        places = judged()
+        return cls(reflectance(places), places)
+
+    @cached_property
+    def f(self) -> Float[np.ndarray, "n 3"]:
+        """Clamped at 0."""
+        return np.maximum(self.signed, 0)
+
+    @cached_property
+    def pixels(self) -> dict[str, Float[np.ndarray, "p 3"]]:
+        """Linear radiance of the covered pixels under each light."""
+        return {light: self.places.pixels(self.f, light) for light in LIGHTS}
+
+    @cached_property
+    def pictures(self) -> dict[str, Float[np.ndarray, "height width 3"]]:
+        """Linear pictures under each light."""
+        return {light: self.places.spheres[light].picture(pixels) for light, pixels in self.pixels.items()}
 
 
-@cache
-def _inputs() -> tuple[jax.Array, ...]:
-    """Network inputs and cosines of the direction set; of the sphere's lit pixels, lamp by lamp; weights of lamps."""
-    light, view = rus32k()
-    scene = LitSphere.under("studio", SIZE)
-    spheres = np.stack([network_inputs(lit, scene.view) for lit in scene.light])
-    weight = np.pi * scene.cosine[:, :, None] * scene.irradiance[:, None, :]
-    return tuple(jnp.asarray(array) for array in (network_inputs(light, view), light[:, 2], spheres, weight))
-
-
-@partial(jax.jit, static_argnames="widths")
-def _judge(
-    reference: jax.Array,  # [m, 675]
-    other: jax.Array,  # [m, weights]
-    inputs: jax.Array,  # [n, 6]
-    cosine: jax.Array,  # [n]
-    spheres: jax.Array,  # [lamps, pixels, 6]
-    weight: jax.Array,  # [lamps, pixels, 3]
-    widths: tuple[int, ...],
-) -> tuple[jax.Array, jax.Array]:
-    def render(weights: jax.Array, sizes: tuple[int, ...]) -> jax.Array:
-        f = jax.vmap(lambda x: reflectance(weights, x, sizes))(spheres)
-        # where, not only ×: a code far out may give infinity below the horizon, and 0 · ∞ is not black.
-        return jnp.sum(jnp.where(weight > 0, f * weight, 0.0), axis=0)
-
-    def one(pair: tuple[jax.Array, jax.Array]) -> tuple[jax.Array, jax.Array]:
-        f, g = reflectance(pair[0], inputs), reflectance(pair[1], inputs, widths)
-        return metrics.log_error(f, g, cosine), metrics.psnr(render(pair[0], WIDTHS), render(pair[1], widths))
-
-    # One material after the other: the memory of all spheres at once buys no speed.
-    return jax.lax.map(one, (reference, other))
+def figures(reference: Seen, other: Seen) -> dict[str, float]:
+    """All `KEYS`, in their order. `negative_share`, `albedo_max` and `reciprocity` are of `other` alone."""
+    places = reference.places
+    cosine = places.light[places.parts["rus32k"], 2]
+    f, g = (places.part(seen.f, "rus32k") for seen in (reference, other))
+    found = {
+        "log_error": metrics.log_error(f, g, cosine),
+        "relative_log": metrics.relative_log(f, g, cosine),
+        "negative_share": physics.negative_share(places.part(other.signed, "rus32k")),
+        "albedo_max": physics.albedo_max(places.part(other.f, "albedo")),
+        "reciprocity": physics.reciprocity(g, places.part(other.f, "exchanged")),
+    }
+    for light in LIGHTS:
+        covered = reference.pixels[light], other.pixels[light]
+        found |= {f"{light}_{key}": getattr(metrics, key)(*covered) for key in ("mae", "rmse", "psnr")}
+        pictures = reference.pictures[light], other.pictures[light]
+        found |= {f"{light}_ssim": ssim(*pictures), f"{light}_flip": flip(*pictures), f"{light}_delta_e_itp": delta_e_itp(*covered)}
+    return {key: float(value) for key, value in found.items()}

@@ -15,6 +15,7 @@ from safetensors.numpy import load_file
 from .invalid import InvalidFile
 from .network import WIDTHS, size
 
+SHARED_START = "@shared_start"  # no material, but what networks of a library were fitted from
 Library = dict[str, np.ndarray]  # name → weights [675] float64, sorted by name
 
 
@@ -34,7 +35,21 @@ def database(name: str) -> str:
     return name.split("/")[0] if "/" in name else "merl"
 
 
+def shared_start(path: Path | str) -> np.ndarray:
+    """The network [675] that all of a .safetensors library were fitted from."""
+    tensors = _tensors(Path(path))
+    if SHARED_START not in tensors:
+        raise InvalidFile(path, f"a tensor {SHARED_START}", "none", "the library of shared start")
+    return tensors[SHARED_START].astype(np.float64)
+
+
 def _safetensors(path: Path) -> Library:
+    return {name: tensor.astype(np.float64) for name, tensor in _tensors(path).items() if name != SHARED_START}
+
+
+def _tensors(path: Path) -> dict[str, np.ndarray]:
+    if not path.is_file():
+        raise InvalidFile(path, "a library of networks", "no such file")
     try:
         tensors = load_file(path)
     except (SafetensorError, OSError, KeyError) as error:
@@ -42,7 +57,7 @@ def _safetensors(path: Path) -> Library:
     for name, tensor in tensors.items():
         if tensor.shape != (size(),) or tensor.dtype != np.float32:
             raise InvalidFile(path, f"F32 [{size()}] for {name}", f"{tensor.dtype} {list(tensor.shape)}")
-    return {name: tensor.astype(np.float64) for name, tensor in tensors.items()}
+    return tensors
 
 
 def _published(path: Path) -> Library:
@@ -52,15 +67,14 @@ def _published(path: Path) -> Library:
             for entry in archive.namelist():
                 # The .json beside each .h5 holds marshalled bytecode: skipped, never read.
                 if entry.endswith(".h5") and not Path(entry).name.startswith("."):
-                    library[_name(entry)] = _keras(archive.read(entry), f"{path}:{entry}")
+                    library[name_of(Path(entry).stem)] = _keras(archive.read(entry), f"{path}:{entry}")
     except zipfile.BadZipFile as error:
         raise InvalidFile(path, "a zip of .h5 networks", str(error)) from error
     return library
 
 
-def _name(entry: str) -> str:
-    """`merl_nbrdf/chrome.h5` → `chrome`, `rgl-isotropic_nbrdf/paper_white_rgb.h5` → `rgl/paper_white`."""
-    stem = Path(entry).stem
+def name_of(stem: str) -> str:
+    """The stem of a published file → a material's name: `chrome` → `chrome`, `paper_white_rgb` → `rgl/paper_white`."""
     return f"rgl/{stem.removesuffix('_rgb')}" if stem.endswith("_rgb") else stem
 
 

@@ -8,17 +8,17 @@ from typing import Any
 
 import numpy as np
 
-Array = Any
+from .arrays import Array, Vectors
 
 
-def _angles(light: Array, view: Array) -> tuple[Array, Array, Array, Array]:
+def _angles(light: Vectors, view: Vectors) -> tuple[Array, Array, Array, Array]:
     """cos θ_i, cos θ_o, cos θ_half, cos θ_diff, each [n, 1]."""
     half = light + view
     half = half / np.linalg.norm(half, axis=-1, keepdims=True)
     return light[:, 2:], view[:, 2:], half[:, 2:], np.sum(light * half, axis=-1, keepdims=True)
 
 
-def ward(light: Array, view: Array, diffuse: Any, specular: Any, alpha: float) -> Array:
+def ward(light: Vectors, view: Vectors, diffuse: Any, specular: Any, alpha: float) -> Array:
     """h = l + v as it is, not normalized, in the normalization."""
     half = light + view
     tan2 = (half[:, :1] ** 2 + half[:, 1:2] ** 2) / half[:, 2:] ** 2
@@ -26,7 +26,7 @@ def ward(light: Array, view: Array, diffuse: Any, specular: Any, alpha: float) -
     return np.asarray(diffuse) / np.pi + np.asarray(specular) * lobe
 
 
-def abc(light: Array, view: Array, diffuse: Any, a: Any, b: float, c: float, ior: float) -> Array:
+def abc(light: Vectors, view: Vectors, diffuse: Any, a: Any, b: float, c: float, ior: float) -> Array:
     """Snell's angles in Fresnel's equations; the V-grooves of Cook and Torrance."""
     cos_i, cos_o, cos_h, cos_d = _angles(light, view)
     cos_t = np.sqrt(1 - (1 - cos_d**2) / ior**2)
@@ -38,7 +38,7 @@ def abc(light: Array, view: Array, diffuse: Any, a: Any, b: float, c: float, ior
     return np.asarray(diffuse) / np.pi + fresnel * density * groove / (np.pi * cos_i * cos_o)
 
 
-def sgd(light: Array, view: Array, diffuse: Any, specular: Any, kappa: Any, alpha: Any, p: Any, f0: Any, f1: Any, lam: Any, c: Any, k: Any, theta0: Any) -> Array:
+def sgd(light: Vectors, view: Vectors, diffuse: Any, specular: Any, kappa: Any, alpha: Any, p: Any, f0: Any, f1: Any, lam: Any, c: Any, k: Any, theta0: Any) -> Array:
     """Not clamped."""
     diffuse, specular, kappa, alpha, p, f0, f1, lam, c, k, theta0 = map(np.asarray, (diffuse, specular, kappa, alpha, p, f0, f1, lam, c, k, theta0))
     cos_i, cos_o, cos_h, cos_d = _angles(light, view)
@@ -49,7 +49,7 @@ def sgd(light: Array, view: Array, diffuse: Any, specular: Any, kappa: Any, alph
     return (diffuse + specular * fresnel * density * open_i * open_o / (cos_i * cos_o)) / np.pi
 
 
-def free_fresnel(light: Array, view: Array, diffuse: Any, f0: Any, f90: Any, alpha: float, facets: str) -> Array:
+def free_fresnel(light: Vectors, view: Vectors, diffuse: Any, f0: Any, f90: Any, alpha: float, facets: str) -> Array:
     """D of GGX or Blinn–Phong (exponent 2/α² − 2), G of GGX (Heitz 2014, eq. 99), Schlick's F with F₉₀ in place of 1."""
     cos_i, cos_o, cos_h, cos_d = _angles(light, view)
     if facets == "ggx":

@@ -3,20 +3,19 @@
 All take the reference first. `display` is what MAE, RMSE, PSNR and SSIM look at.
 """
 
-from typing import Any
+from .arrays import Array, Numbers, Pixels, Scalar, Vectors
 
-Array = Any
 PSNR_CAP = 100.0
 
 
-def log_error(f: Array, g: Array, cosine: Array) -> Array:
+def log_error(f: Vectors, g: Vectors, cosine: Numbers) -> Scalar | float:
     """Mean |ln(1 + f c) − ln(1 + g c)|: the loss of the NBRDF paper (eq. 2)."""
     xp = f.__array_namespace__()
     c = cosine[:, None]
     return xp.mean(xp.abs(xp.log1p(f * c) - xp.log1p(g * c)))
 
 
-def relative_log(f: Array, g: Array, cosine: Array) -> Array:
+def relative_log(f: Vectors, g: Vectors, cosine: Numbers) -> Scalar | float:
     """Mean |ln(f c + 10⁻³) − ln(g c + 10⁻³)|: weighs dark materials."""
     xp = f.__array_namespace__()
     c = cosine[:, None]
@@ -28,19 +27,19 @@ def display(radiance: Array) -> Array:
     return radiance.__array_namespace__().clip(radiance, 0.0, 1.0) ** (1 / 2.2)
 
 
-def mae(reference: Array, other: Array) -> Array:
+def mae(reference: Pixels, other: Pixels) -> Scalar | float:
     """Mean absolute difference of displayed pixels."""
     xp = reference.__array_namespace__()
     return xp.mean(xp.abs(display(reference) - display(other)))
 
 
-def rmse(reference: Array, other: Array) -> Array:
+def rmse(reference: Pixels, other: Pixels) -> Scalar | float:
     """Root of the mean squared difference of displayed pixels, over pixels and channels."""
     xp = reference.__array_namespace__()
     return xp.sqrt(xp.mean((display(reference) - display(other)) ** 2))
 
 
-def psnr(reference: Array, other: Array) -> Array:
+def psnr(reference: Pixels, other: Pixels) -> Scalar | float:
     """Decibels of displayed pixels, at most 100 (equal pictures would be infinite)."""
     xp = reference.__array_namespace__()
     floor = 10 ** (-PSNR_CAP / 20)

@@ -4,11 +4,10 @@ Three kinds of samples in a row: `log` directions, `relative` directions, and `p
 is cos θ_i, for a pixel's lamps times irradiance; pixels are displayed as clip(L, 0, 1)^(1/2.2), straight below 10⁻⁴.
 """
 
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
-from .network import unclamped
-
-Array = Any
+from .arrays import Array, Inputs, Numbers, Scalar, Vectors, Weights
+from .network import WIDTHS, unclamped
 
 DARKEST, TOE, DISPLAY = 1e-3, 1e-4, 1 / 2.2
 WEIGHTS = (1.0, 0.2, 0.3)
@@ -28,7 +27,7 @@ class Counts(NamedTuple):
 STEP = Counts(128, 256, 32, 4)
 
 
-def features(values: Array, factor: Array, counts: Counts) -> tuple[Array, Array, Array]:
+def features(values: Vectors, factor: Numbers, counts: Counts) -> tuple[Array, Array, Array]:
     """values [directions, 3], factor [directions] → ln(1 + f c), ln(f c + 10⁻³), displayed pixels; each [n, 3]."""
     xp = values.__array_namespace__()
     weighted = values * factor[:, None]
@@ -41,10 +40,10 @@ def features(values: Array, factor: Array, counts: Counts) -> tuple[Array, Array
     return log, relative, xp.where(radiance < TOE, radiance * TOE ** (DISPLAY - 1), curve)
 
 
-def loss(weights: Array, inputs: Array, factor: Array, wanted: tuple[Array, Array, Array], counts: Counts) -> Array:
-    """weights [675], inputs [directions, 6] → the loss of that network against wanted features."""
+def loss(weights: Weights, inputs: Inputs, factor: Numbers, wanted: tuple[Array, Array, Array], counts: Counts, terms: tuple[float, float, float] = WEIGHTS, widths: tuple[int, ...] = WIDTHS) -> Scalar:
+    """weights [675], inputs [directions, 6] → the loss of that network against wanted features; `terms` weigh its three parts."""
     xp = weights.__array_namespace__()
-    own = features(unclamped(weights, inputs), factor, counts)
+    own = features(unclamped(weights, inputs, widths), factor, counts)
     log, relative = (xp.mean(xp.abs(a - b)) for a, b in zip(own[:2], wanted[:2]))
     display = xp.sqrt(xp.mean((own[2] - wanted[2]) ** 2) + 1e-12)
-    return WEIGHTS[0] * log + WEIGHTS[1] * relative + WEIGHTS[2] * display
+    return terms[0] * log + terms[1] * relative + terms[2] * display

@@ -5,13 +5,13 @@ L = Σ f · cos θ_i · π E over lamps (E in units of π): a white Lambertian f
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
+from jaxtyping import Float
 
+from .arrays import Array, Picture, Pixels, Vectors
 from .lights import lamps
 
-Array = Any
 RADIUS = 0.99  # of half the image
 
 
@@ -35,18 +35,18 @@ class LitSphere:
         cosine = np.where((lit[..., 2] > 0) & (view[None, :, 2] > 0), lit[..., 2], 0.0)
         return cls(covered, lit, view, cosine, irradiance)
 
-    def radiance(self, f: Array) -> Array:
+    def radiance(self, f: Float[Array, "lamps p 3"]) -> Pixels:
         """f [lamps, pixels, 3] → linear radiance of the covered pixels [pixels, 3]."""
         xp = f.__array_namespace__()
         weight = np.pi * self.cosine[:, :, None] * self.irradiance[:, None, :]
         return xp.sum(xp.where(weight > 0, f, 0.0) * weight, axis=0)
 
-    def render(self, brdf: Callable[[Array, Array], Array]) -> np.ndarray:
+    def render(self, brdf: Callable[[Array, Array], Array]) -> Picture:
         """A reflectance of (light [n, 3], view [n, 3]) → linear picture [size, size, 3], black outside the sphere."""
         f = np.stack([np.asarray(brdf(light, self.view)) for light in self.light])
         return self.picture(self.radiance(f))
 
-    def picture(self, pixels: np.ndarray) -> np.ndarray:
+    def picture(self, pixels: Pixels) -> Picture:
         """Covered pixels [pixels, 3] → [size, size, 3], black outside the sphere."""
         picture = np.zeros((*self.covered.shape, 3))
         picture[self.covered] = pixels
@@ -62,7 +62,7 @@ def _normals(size: int) -> tuple[np.ndarray, np.ndarray]:
     return covered, np.stack((x[covered], y[covered], np.sqrt(rest[covered])), axis=1)
 
 
-def _to_surface(normals: np.ndarray, direction: np.ndarray) -> np.ndarray:
+def _to_surface(normals: Vectors, direction: Float[np.ndarray, "3"]) -> Vectors:
     """normals [pixels, 3] with z > 0, direction [3] → the direction in each surface frame [pixels, 3].
 
     The frame is the smallest rotation that takes the normal to +z. It is right-handed, which matters: φ_diff is not

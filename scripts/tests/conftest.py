@@ -32,11 +32,11 @@ def rgl() -> library.Library:
     return published("rgl")
 
 
-@pytest.fixture
-def networks(tmp_path: Path) -> Path:
+@pytest.fixture(scope="module")
+def module_networks(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A library of eight made-up materials; m2 and m7 are held out."""
     random = np.random.default_rng(1)
-    path = tmp_path / "networks.safetensors"
+    path = tmp_path_factory.mktemp("networks") / "networks.safetensors"
     # Small weights: bright ones would be clipped to white, and every picture would look the same.
     save_file({f"m{i}": random.normal(0, 0.2, 675).astype(np.float32) for i in range(8)}, path)
     return path
@@ -44,7 +44,19 @@ def networks(tmp_path: Path) -> Path:
 
 @pytest.fixture
 def tensors() -> dict[str, np.ndarray]:
-    """A small checkpoint with random weights, sizes unlike the real one so that nothing can be hard-coded."""
+    """A small checkpoint with random weights."""
+    return made_up()
+
+
+@pytest.fixture(scope="module")
+def module_checkpoint(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    path = tmp_path_factory.mktemp("checkpoint") / "znbrdf.safetensors"
+    save_file(made_up(), path, metadata={"model": "znbrdf"})
+    return path
+
+
+def made_up() -> dict[str, np.ndarray]:
+    """Tensors of sizes unlike the real one so that nothing can be hard-coded."""
     random = np.random.default_rng(2)
     linear = {
         "encoder.body.0": (8, 3 * FEATURES), "encoder.body.1": (7, 8), "encoder.body.2": (HIDDEN, 7),

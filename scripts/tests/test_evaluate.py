@@ -1,118 +1,148 @@
 import json
 
-import jax
-import jax.numpy as jnp
 import numpy as np
 import pytest
 
 import evaluate
-from nbrdf_jax import autoencoder, library, split
-from nbrdf_jax.coordinates import network_inputs
-from nbrdf_jax.directions import rus32k
-from nbrdf_jax.judge import judge
-from nbrdf_jax.metrics import log_error, psnr
-from nbrdf_jax.network import reflectance
-from nbrdf_jax.sphere import LitSphere
-
-KEYS = ("log_error", "studio_psnr")
+from nbrdf_jax import autoencoder, interpolation, library, split
+from nbrdf_jax.evaluation import of_network
+from nbrdf_jax.judge import KEYS, Seen, figures
+from nbrdf_jax.learned import Learned
+from nbrdf_jax.refine import Refiner
+from nbrdf_jax.walk_quality import KEYS as WALK_KEYS
 
 
-def row(variant, names, codes, figures):
-    stats = {key: {"mean": float(np.mean(getattr(figures, key)))} for key in KEYS}
-    materials = [
-        {"name": name, "code": [float(x) for x in code]} | {key: float(getattr(figures, key)[i]) for key in KEYS}
-        for i, (name, code) in enumerate(zip(names, codes))
-    ]
+def row(variant, names, codes, found):
+    stats = {key: {"mean": float(np.mean([one[key] for one in found]))} for key in KEYS}
+    materials = [{"name": name, "code": [float(x) for x in code]} | one for name, code, one in zip(names, codes, found)]
     return {"name": "znbrdf", "variant": variant, "database": "merl", **stats, "materials": materials}
 
 
-@pytest.fixture
-def honest(networks, checkpoint):
-    """A report whose numbers are right, by construction."""
-    model, read = autoencoder.read(checkpoint), library.read(networks)
+@pytest.fixture(scope="module")
+def honest(module_networks, module_checkpoint):
+    """A report whose numbers are right, by construction, as text."""
+    model, read = autoencoder.read(module_checkpoint), library.read(module_networks)
+    learned = Learned(read, read, model)
     names = split.held_out(read, "merl")
-    reference = jnp.asarray(np.stack([read[name] for name in names]))
-    codes = jax.vmap(model.encode)(reference)
-    moved = codes + 0.1
-    variants = (("unrolled", codes - 0.1), ("feed_forward", codes), ("refined", moved))
-    rows = [row(variant, names, c, judge(reference, jax.vmap(model.decode)(c))) for variant, c in variants]
-    other = {"name": "pca_32", "variant": "projection", "log_error": {"mean": 1.0}}
-    return {"schema": 1, "reference": "builtin", "rows": [other, *rows]}
+    codes = np.stack([learned.encode(read[name]) for name in names])
+
+    def judged(codes):
+        return [figures(Seen.of(of_network(read[name])), Seen.of(learned.decoded("znbrdf", code))) for name, code in zip(names, codes)]
+
+    variants = (("unrolled", codes - 0.1), ("feed_forward", codes), ("refined", codes + 0.1))
+    rows = [row(variant, names, own, judged(own)) for variant, own in variants]
+    other = {"name": "pca_45", "variant": "projection", "log_error": {"mean": 1.0}}
+    return json.dumps({"schema": 1, "reference": "builtin", "rows": [other, *rows]})
 
 
-def run(report, networks, checkpoint, tmp_path, *more):
+def run(content, networks, checkpoint, tmp_path, *more):
     path = tmp_path / "evaluate.json"
-    path.write_text(report if isinstance(report, str) else json.dumps(report))
-    return evaluate.main(["--report", str(path), "--checkpoint", str(checkpoint), "--networks", str(networks), *more])
+    path.write_text(content if isinstance(content, str) else json.dumps(content))
+    fixed = ["--report", str(path), "--checkpoint", str(checkpoint), "--networks", str(networks), "--shared", str(networks), "-o", str(tmp_path / "out")]
+    return evaluate.main([*fixed, *more])
 
 
-def test_an_honest_report_is_confirmed(honest, networks, checkpoint, tmp_path, capsys):
-    assert run(honest, networks, checkpoint, tmp_path) == 0
+def test_an_honest_report_is_confirmed_on_a_page_that_holds_everything(honest, module_networks, module_checkpoint, tmp_path, capsys):
+    assert run(honest, module_networks, module_checkpoint, tmp_path) == 0
     out = capsys.readouterr().out
     assert "unrolled" in out and "feed_forward" in out and "refined" in out and "DISAGREES" not in out
+    page = (tmp_path / "out" / "report.html").read_text()
+    assert "<svg" in page and "src=" not in page and "href=\"http" not in page
+    assert "report-1.svg" in (tmp_path / "out" / "report.md").read_text()
 
 
-@pytest.mark.parametrize("which", [1, 2, 3])
-@pytest.mark.parametrize("key", KEYS)
-def test_a_wrong_mean_is_caught(honest, networks, checkpoint, tmp_path, capsys, which, key):
-    honest["rows"][which][key]["mean"] *= 1.01
-    assert run(honest, networks, checkpoint, tmp_path) == 1
+@pytest.mark.parametrize(("which", "key"), [(1, "log_error"), (2, "studio_psnr"), (3, "point_flip")])
+def test_a_wrong_mean_is_caught(honest, module_networks, module_checkpoint, tmp_path, capsys, which, key):
+    wrong = json.loads(honest)
+    wrong["rows"][which][key]["mean"] *= 1.01
+    assert run(wrong, module_networks, module_checkpoint, tmp_path) == 1
     assert "DISAGREES" in capsys.readouterr().out
-    assert run(honest, networks, checkpoint, tmp_path, "--tolerance", "0.02") == 0
 
 
-def test_an_unrolled_or_refined_code_that_is_not_the_one_measured_is_caught(honest, networks, checkpoint, tmp_path):
-    for which in (1, 3):
-        honest["rows"][which]["materials"][0]["code"][0] += 1.0
-        assert run(honest, networks, checkpoint, tmp_path) == 1
-        honest["rows"][which]["materials"][0]["code"][0] -= 1.0
+def test_a_larger_tolerance_admits_more(honest, module_networks, module_checkpoint, tmp_path):
+    wrong = json.loads(honest)
+    wrong["rows"][1]["log_error"]["mean"] *= 1.01
+    assert run(wrong, module_networks, module_checkpoint, tmp_path, "--tolerance", "0.02") == 0
 
 
-def test_a_missing_held_out_material_is_refused(honest, networks, checkpoint, tmp_path, capsys):
-    honest["rows"][2]["materials"].pop()
-    assert run(honest, networks, checkpoint, tmp_path) == 3
+def test_a_refined_code_that_is_not_the_one_measured_is_caught(honest, module_networks, module_checkpoint, tmp_path):
+    wrong = json.loads(honest)
+    wrong["rows"][3]["materials"][0]["code"][0] += 1.0
+    assert run(wrong, module_networks, module_checkpoint, tmp_path) == 1
+
+
+def test_a_missing_held_out_material_is_refused(honest, module_networks, module_checkpoint, tmp_path, capsys):
+    wrong = json.loads(honest)
+    wrong["rows"][2]["materials"].pop()
+    assert run(wrong, module_networks, module_checkpoint, tmp_path) == 3
     assert "m7" in capsys.readouterr().err
 
 
 @pytest.mark.parametrize(
     ("text", "says"),
     [("", "JSON"), ("{}", "schema"), ('{"schema": 2}', "schema"), ('{"schema": 1, "reference": "builtin", "rows": []}', "znbrdf"),
+     ('{"schema": 1, "reference": "builtin", "split": "validation", "rows": []}', "held_out"),
      ('{"schema": 1, "reference": "builtin", "rows": [{"name": "znbrdf", "variant": "refined"}]}', "log_error")],
 )  # fmt: skip
-def test_an_invalid_report_is_named_with_exit_code_3(text, says, networks, checkpoint, tmp_path, capsys):
-    assert run(text, networks, checkpoint, tmp_path) == 3
+def test_an_invalid_report_is_named_with_exit_code_3(text, says, module_networks, module_checkpoint, tmp_path, capsys):
+    assert run(text, module_networks, module_checkpoint, tmp_path) == 3
     error = capsys.readouterr().err
     assert "evaluate.json" in error and says in error
 
 
-def test_missing_files_are_named_with_exit_code_3(honest, networks, checkpoint, tmp_path, capsys):
-    for missing in ({"networks": tmp_path / "none.zip"}, {"checkpoint": tmp_path / "none.safetensors"}):
-        paths = {"networks": networks, "checkpoint": checkpoint} | missing
-        assert run(honest, **paths, tmp_path=tmp_path) == 3
+def test_missing_files_are_named_with_exit_code_3(honest, module_networks, module_checkpoint, tmp_path, capsys):
+    for networks, checkpoint in ((tmp_path / "none.zip", module_checkpoint), (module_networks, tmp_path / "none.safetensors")):
+        assert run(honest, networks, checkpoint, tmp_path) == 3
         assert "no such file" in capsys.readouterr().err
 
 
-def test_a_builtin_reference_needs_its_library(honest, checkpoint, tmp_path, capsys):
+def test_a_builtin_reference_needs_its_library(honest, module_checkpoint, tmp_path, capsys):
     path = tmp_path / "evaluate.json"
-    path.write_text(json.dumps(honest))
-    assert evaluate.main(["--report", str(path), "--checkpoint", str(checkpoint)]) == 3
+    path.write_text(honest)
+    assert evaluate.main(["--report", str(path), "--checkpoint", str(module_checkpoint)]) == 3
     assert "--networks" in capsys.readouterr().err
 
 
-def test_figures_equal_the_slow_way(networks):
-    read = library.read(networks)
-    a, b = read["m0"], read["m1"]
-    figures = judge(jnp.asarray(a)[None, :], jnp.asarray(b)[None, :])
-    light, view = rus32k()
-    inputs = network_inputs(light, view)
-    expected = log_error(reflectance(a, inputs), reflectance(b, inputs), light[:, 2])
-    assert figures.log_error[0] == pytest.approx(expected, rel=1e-12)
-    scene = LitSphere.under("studio", 128)
-    pictures = [scene.render(lambda l, v, w=w: reflectance(w, network_inputs(l, v)))[scene.covered] for w in (a, b)]
-    assert figures.studio_psnr[0] == pytest.approx(psnr(*pictures), rel=1e-12)
+def test_without_the_program_there_are_no_reports(tmp_path, capsys):
+    assert evaluate.main(["--binary", str(tmp_path / "none"), "-o", str(tmp_path)]) == 3
+    assert "cargo build" in capsys.readouterr().err
 
 
-def test_twenty_published_materials_against_themselves(merl):
-    held_out = jnp.asarray(np.stack([merl[name] for name in split.held_out(merl, "merl")]))
-    figures = judge(held_out, held_out)
-    assert (figures.log_error == 0).all() and (figures.studio_psnr == 100).all()
+def test_a_comparison_of_walks_is_confirmed_and_a_wrong_one_caught(honest, module_networks, module_checkpoint, tmp_path, capsys):
+    read = library.read(module_networks)
+    learned = Learned(read, read, autoencoder.read(module_checkpoint))
+    walks = interpolation.recompute(learned, ["raw_weights", "log1p_mix"], {}, 1)
+
+    def method(found):
+        spreads = {key: {part: getattr(found.spread(key), part) for part in ("mean", "median", "p90", "max")} for key in WALK_KEYS}
+        return {"name": found.name, **spreads, "energy_violations": found.violations(), "energy_violations_beyond": found.violations("albedo_max_beyond")}
+
+    content = {"schema": 1, "reference": "builtin", "pairs": 1, "methods": [*map(method, walks), method(walks[0]) | {"name": "charting"}]}
+    path = tmp_path / "compare.json"
+    path.write_text(json.dumps(content))
+    assert run(honest, module_networks, module_checkpoint, tmp_path, "--compare", str(path)) == 0
+    assert "raw_weights" in capsys.readouterr().out
+    content["methods"][0]["mix_ssim"]["p90"] *= 1.001
+    path.write_text(json.dumps(content))
+    assert run(honest, module_networks, module_checkpoint, tmp_path, "--compare", str(path)) == 1
+
+
+def test_refining_makes_a_code_better_and_a_refined_one_hardly_worse(module_networks, module_checkpoint):
+    read = library.read(module_networks)
+    learned = Learned(read, read, autoencoder.read(module_checkpoint))
+    material = of_network(learned.decode(np.linspace(-1, 1, 11)))
+    refiner = Refiner(learned.model)
+
+    def error(code):
+        return figures(Seen.of(material), Seen.of(learned.decoded("znbrdf", code)))["log_error"]
+
+    start = np.linspace(-1, 1, 11) + 0.3
+    assert error(refiner(start, material)) < 0.3 * error(start)
+    assert error(refiner(np.linspace(-1, 1, 11), material)) < 1e-3
+
+
+def test_a_published_material_is_no_distance_from_itself(merl):
+    for name in split.held_out(merl, "merl")[:2]:
+        seen = Seen.of(of_network(merl[name]))
+        found = figures(seen, seen)
+        assert found["log_error"] == found["studio_flip"] == 0 and found["point_psnr"] == 100 and found["studio_ssim"] == pytest.approx(1)

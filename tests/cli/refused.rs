@@ -165,3 +165,13 @@ fn files_that_are_gone_or_folders_are_named() {
     }
     assert!(!place.names().iter().any(|name| name.starts_with("x.") || name == "library" || name == "plan.png"));
 }
+
+#[test]
+fn what_a_damaged_file_holds_is_no_command_to_the_terminal() {
+    let place = Place::new();
+    for name in ["a.brdf", "a.csv"] {
+        place.write(name, b"\x1b]0;owned\x07\x1b[31mred\n");
+        let said = place.run(&["info", name]).fails(3);
+        assert!(said.contains("\\u{1b}") && !said.contains(['\u{1b}', '\u{7}']), "{said:?}");
+    }
+}

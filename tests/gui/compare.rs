@@ -3,7 +3,7 @@
 use egui::{Event, OutputCommand, PointerButton, Pos2, vec2};
 use nbrdf::gui::pane::Pane;
 use nbrdf::gui::session::{Compare, Mode, Pair};
-use nbrdf::worker::Point;
+use nbrdf::worker::{Asset, Point};
 use nbrdf_core::render::{Light, Model, Place};
 
 use super::*;
@@ -217,7 +217,7 @@ fn with_the_tool_a_drag_picks_and_without_it_the_light_moves() {
 
 #[test]
 fn under_a_map_the_point_has_the_mirrored_view_and_the_pixels_radiance() {
-    let around = Lighting::Around { map: 0, turn: 0.0 };
+    let around = Lighting::Around { map: Asset::BuiltIn, turn: 0.0 };
     let mut harness = open(Stock::built_in(), Session { look: under(around), ..quick() }, [900.0, 600.0]);
     until(&mut harness, "there is a picture", |bench| {
         bench.gallery.view(METHOD).is_some_and(|view| view.texture.is_some())

@@ -14,11 +14,11 @@ use nbrdf_core::quality::Qualities;
 use super::*;
 
 /// The built-in stock with short fits, and no window of the system.
-fn stock() -> Stock {
+pub(super) fn stock() -> Stock {
     Stock { fit_steps: 128, dialog: Box::new(|| Ok(Vec::new())), ..Stock::built_in() }
 }
 
-fn library(stock: Stock, session: Session) -> Harness<'static, Workbench> {
+pub(super) fn library(stock: Stock, session: Session) -> Harness<'static, Workbench> {
     open(stock, session, [1200.0, 800.0])
 }
 
@@ -32,7 +32,7 @@ fn search(harness: &mut Harness<'_, Workbench>, words: &str) {
 }
 
 /// Samples of a grey matte material, as a goniometer would take them.
-fn samples(folder: &Path) -> PathBuf {
+pub(super) fn samples(folder: &Path) -> PathBuf {
     let mut text = "light_x,light_y,light_z,view_x,view_y,view_z,r,g,b\n".to_owned();
     for k in 0..64u8 {
         let (light, view, turn) = (1.2 * f32::from(k % 8) / 8.0, 1.2 * f32::from(k / 8) / 8.0, 0.7 * f32::from(k));
@@ -57,12 +57,12 @@ impl egui::DroppedFile for Dropped {
     }
 }
 
-fn drop_file(harness: &mut Harness<'_, Workbench>, path: &Path) {
+pub(super) fn drop_file(harness: &mut Harness<'_, Workbench>, path: &Path) {
     harness.input_mut().dropped_files.push(Arc::new(Dropped(path.to_owned())));
     harness.step();
 }
 
-fn has(bench: &Workbench, name: &str) -> bool {
+pub(super) fn has(bench: &Workbench, name: &str) -> bool {
     bench.gallery.names.iter().any(|known| known == name)
 }
 

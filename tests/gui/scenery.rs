@@ -1,6 +1,6 @@
 //! What the materials are seen on: shapes, zoom, tone curves.
 
-use nbrdf::worker::Shape;
+use nbrdf::worker::{Asset, Shape};
 use nbrdf_core::image::Tone;
 use nbrdf_core::render::Frame;
 
@@ -27,7 +27,7 @@ fn figures_are_those_of_the_sphere_whatever_is_shown() {
     let on_sphere = figures(&harness);
     assert!(on_sphere.is_some());
     let look = &mut harness.state_mut().session.look;
-    look.show_on(Shape::Mesh(0));
+    look.show_on(Shape::Mesh(Asset::BuiltIn));
     look.scenery.frame = Frame::WHOLE.zoomed(2.0, [0.3, 0.1]);
     look.tone = Tone::Filmic;
     settle(&mut harness);
@@ -37,8 +37,8 @@ fn figures_are_those_of_the_sphere_whatever_is_shown() {
 
 #[test]
 fn every_shape_is_shown_under_a_map() {
-    for shape in [Shape::Plane, Shape::Mesh(0)] {
-        let session = on(shape, Lighting::Around { map: 0, turn: 0.0 });
+    for shape in [Shape::Plane, Shape::Mesh(Asset::BuiltIn)] {
+        let session = on(shape, Lighting::Around { map: Asset::BuiltIn, turn: 0.0 });
         let mut harness = open(Stock::built_in(), session, [640.0, 480.0]);
         settle(&mut harness);
         assert!(harness.query_by_label("Sphere A: shown").is_some(), "{shape:?}");
@@ -55,9 +55,10 @@ fn a_mesh_that_is_opened_is_shown_and_one_that_is_none_is_a_notice() {
     std::fs::write(folder.path().join("none.glb"), b"glTF").unwrap();
     let mut harness = small(quick());
     for (count, name) in [(2, "square.gltf"), (3, "square.glb"), (4, "cube.obj")] {
-        harness.state().open(folder.path().join(name));
-        until(&mut harness, "the mesh is listed", |bench| bench.gallery.solids.len() == count);
-        assert_eq!(harness.state().session.look.scenery.shape, Shape::Mesh(count - 1));
+        let path = folder.path().join(name);
+        harness.state().open(path.clone());
+        until(&mut harness, "the mesh is listed", |bench| bench.gallery.meshes.len() == count);
+        assert_eq!(harness.state().session.look.scenery.shape, Shape::Mesh(Asset::of_file(&path)));
     }
     settle(&mut harness);
     harness.state().open(folder.path().join("none.glb"));

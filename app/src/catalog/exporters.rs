@@ -1,211 +1,79 @@
-//! The forms that a material is written in: one line here, and `nbrdf decode` and the app's window know it.
+//! The forms that a material is written in: one file for each family of them, one line here, and `nbrdf export`, `nbrdf
+//! decode` and the app's window know it.
 
-use std::any::Any;
-use std::path::{Path, PathBuf};
+mod code;
+mod entry;
+mod mitsuba;
+mod network;
+mod parametric;
+mod shader;
+mod subject;
+mod table;
 
-use anyhow::{Context, Result};
-use nbrdf_core::direction::turned;
-use nbrdf_core::merl::Merl;
-use nbrdf_core::nbrdf::anisotropic::AnisotropicNbrdf;
-use nbrdf_core::nbrdf::{ARRAYS, npy, safetensors};
-use nbrdf_core::sampling::{evaluate, rus32k};
-use nbrdf_core::{Code, Directions, Material, Nbrdf, Rgb, atomic};
-
-/// Every so many pairs of directions are turned.
-const EVERY: usize = 256;
-/// By how much they are turned \[rad\].
-const ANGLES: [f32; 3] = [0.7, 1.6, 2.6];
-/// Relative differences that are those of rounded directions.
-const ROUNDING: f32 = 0.01;
-
-/// What is written.
-pub struct Subject<'a> {
-    /// The material.
-    pub material: &'a Material,
-    /// Its code, where it has one.
-    pub code: Option<&'a Code>,
-}
-
-/// What a form needs of a material.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Needs {
-    /// Its reflectance: every material will do.
-    Reflectance,
-    /// That it is a network.
-    Network,
-    /// That it has a code.
-    Code,
-}
-
-/// A form in the list.
-pub struct ExporterEntry {
-    /// Name in lists, in sessions and in manifests.
-    pub name: &'static str,
-    /// Extension of its files, without the dot.
-    pub extension: &'static str,
-    /// One line for people.
-    pub about: &'static str,
-    /// What it needs.
-    pub needs: Needs,
-    /// What the names of its files end with, where it takes several.
-    parts: &'static [&'static str],
-    /// The bytes of each file; none where the material lacks what is needed.
-    write: fn(&Subject<'_>) -> Option<Vec<Vec<u8>>>,
-}
+pub use code::json;
+pub use entry::{ExporterEntry, Needs};
+pub use subject::Subject;
 
 /// Every form, in the order of lists.
 pub const EXPORTERS: &[ExporterEntry] = &[
-    ExporterEntry {
-        name: "npz",
-        extension: "npz",
-        about: "a network: six NumPy arrays in one archive",
-        needs: Needs::Network,
-        parts: &[],
-        write: |subject| Some(vec![npy::write_npz(subject.network()?)]),
-    },
-    ExporterEntry {
-        name: "safetensors",
-        extension: "safetensors",
-        about: "a network: one tensor",
-        needs: Needs::Network,
-        parts: &[],
-        write: |subject| match subject.network() {
-            Some(network) => Some(vec![safetensors::write_safetensors(network)]),
-            None => Some(vec![safetensors::write_anisotropic(subject.turning()?)]),
-        },
-    },
-    ExporterEntry {
-        name: "npy",
-        extension: "npy",
-        about: "a network: six files, one NumPy array each",
-        needs: Needs::Network,
-        parts: &ARRAYS,
-        write: |subject| Some(npy::write_npy(subject.network()?).into()),
-    },
-    ExporterEntry {
-        name: "binary",
-        extension: "binary",
-        about: "a table of 90 × 90 × 180 cells as in the MERL database, 33 MB",
-        needs: Needs::Reflectance,
-        parts: &[],
-        // Such a table cannot say how a material changes when it is turned.
-        write: |subject| match subject.changes_when_turned() {
-            true => None,
-            false => Some(vec![Merl::tabulate(subject.material.brdf.as_ref()).to_bytes()]),
-        },
-    },
-    ExporterEntry {
-        name: "code",
-        extension: "json",
-        about: "its code, as `nbrdf encode` writes it",
-        needs: Needs::Code,
-        parts: &[],
-        write: |subject| Some(vec![json(subject.code?)?.into_bytes()]),
-    },
+    network::NPZ,
+    network::SAFETENSORS,
+    network::NPY,
+    network::KERAS,
+    table::BINARY,
+    mitsuba::BSDF,
+    code::CODE,
+    shader::GLSL,
+    shader::WGSL,
+    shader::C,
+    shader::RUST,
+    shader::PAGE,
+    parametric::GLTF,
+    parametric::MTLX,
+    parametric::PRINCIPLED,
 ];
-
-/// A code as its file holds it: one line.
-pub fn json(code: &Code) -> Option<String> {
-    Some(serde_json::to_string(code).ok()? + "\n")
-}
-
-impl Subject<'_> {
-    /// The network behind the material, if it is one.
-    pub fn network(&self) -> Option<&Nbrdf> {
-        self.material.network.as_ref().or_else(|| self.behind())
-    }
-
-    /// The network of a material that changes when it is turned.
-    fn turning(&self) -> Option<&AnisotropicNbrdf> {
-        self.behind()
-    }
-
-    /// Whether the reflectance changes when the material is turned: a network that does may be mixed into others, so some
-    /// pairs are asked.
-    fn changes_when_turned(&self) -> bool {
-        let brdf = self.material.brdf.as_ref();
-        let at: Vec<Directions> = rus32k().iter().step_by(EVERY).copied().collect();
-        let plain = evaluate(brdf, &at);
-        let differs = |angle: f32| {
-            let turned: Vec<Directions> = at.iter().map(|&at| turned(at, angle)).collect();
-            let values = evaluate(brdf, &turned);
-            Rgb::flat(&values).iter().zip(Rgb::flat(&plain)).any(|(a, b)| (a - b).abs() > ROUNDING * (a.max(*b) + 0.01))
-        };
-        self.turning().is_some() || ANGLES.into_iter().any(differs)
-    }
-
-    fn behind<T: 'static>(&self) -> Option<&T> {
-        let brdf: &dyn Any = self.material.brdf.as_ref();
-        brdf.downcast_ref()
-    }
-}
-
-impl ExporterEntry {
-    /// The form of this name.
-    pub fn named(name: &str) -> Option<&'static Self> {
-        EXPORTERS.iter().find(|entry| entry.name == name)
-    }
-
-    /// The form of this path's extension.
-    pub fn of(path: &Path) -> Option<&'static Self> {
-        let extension = path.extension()?.to_str()?;
-        EXPORTERS.iter().find(|entry| entry.extension == extension)
-    }
-
-    /// The files that a material becomes, from their common stem: `a/chrome` is `a/chrome.npz`, or `a/chrome_fc1.npy`
-    /// and five more.
-    pub fn paths(&self, stem: &Path) -> Vec<PathBuf> {
-        let named = |end: &str| {
-            let mut name = stem.as_os_str().to_owned();
-            name.push(format!("{end}.{}", self.extension));
-            PathBuf::from(name)
-        };
-        match self.parts {
-            [] => vec![named("")],
-            parts => parts.iter().map(|part| named(&format!("_{part}"))).collect(),
-        }
-    }
-
-    /// The files and what they are to hold.
-    ///
-    /// # Errors
-    /// That the material lacks what the form needs.
-    pub fn files(&self, stem: &Path, subject: &Subject<'_>) -> Result<Vec<(PathBuf, Vec<u8>)>> {
-        let lacks = || {
-            let (name, form) = (&subject.material.name, self.name);
-            match self.needs {
-                Needs::Reflectance => format!("{name} changes when it is turned, which {form} cannot say"),
-                Needs::Network => format!("{name} is no network, as {form} needs one: choose another form"),
-                Needs::Code => format!("{name} has no code: `nbrdf encode` makes one of a material"),
-            }
-        };
-        let bytes = (self.write)(subject).with_context(lacks)?;
-        Ok(self.paths(stem).into_iter().zip(bytes).collect())
-    }
-
-    /// Writes the files, whole or not at all.
-    ///
-    /// # Errors
-    /// As [`files`](Self::files), and what the file system reports.
-    pub fn write(&self, path: &Path, subject: &Subject<'_>) -> Result<()> {
-        let files = self.files(&path.with_extension(""), subject)?;
-        let written = match files.as_slice() {
-            [(path, bytes)] => atomic::write(path, bytes),
-            set => atomic::write_together(set),
-        };
-        written.with_context(|| format!("{}: cannot be written", path.display()))
-    }
-}
 
 #[cfg(test)]
 mod tests {
+    use std::path::Path;
     use std::sync::Arc;
 
     use nbrdf_core::library::builtin;
+    use nbrdf_core::metric::log_error;
     use nbrdf_core::path::mix::{Mix, Mixed};
-    use nbrdf_core::{Brdf, Library};
+    use nbrdf_core::sampling::{evaluate, rus32k};
+    use nbrdf_core::{Brdf, Directions, Library, Material, Rgb};
 
     use super::*;
+    use crate::catalog::{Catalog, Reference};
+
+    const FITS: [&str; 3] = ["gltf", "mtlx", "principled"];
+
+    #[test]
+    fn every_readable_form_stands_for_what_was_written() {
+        let catalog = Catalog::new(Arc::new(Reference::built_in()));
+        let network = builtin::shared().get("gold-metallic-paint").unwrap().material();
+        let representation = catalog.representation("znbrdf", false).unwrap();
+        let code = representation.encode(&network).unwrap();
+        let decoded = Material::new("gold-metallic-paint", Arc::from(representation.decode(&code).unwrap()));
+        for entry in EXPORTERS.iter().filter(|entry| entry.is_readable()) {
+            let material = if entry.needs == Needs::Code { &decoded } else { &network };
+            let subject = Subject { material, code: Some(&code) };
+            let files = entry.files(Path::new("a"), &subject).unwrap();
+            assert_eq!(files.len(), entry.ends.len(), "{}", entry.name);
+            let bytes: Vec<&[u8]> = files.iter().map(|(_, bytes)| bytes.as_slice()).collect();
+            let read = entry.read_back(&bytes, &catalog).unwrap().unwrap();
+            let at = rus32k();
+            let error = log_error(at, &evaluate(material.brdf.as_ref(), at), &evaluate(read.as_ref(), at));
+            // Weights are written to the bit, tables are not, and fits are what a few parameters can say.
+            let most = match entry.needs {
+                Needs::Reflectance if FITS.contains(&entry.name) => 0.05,
+                Needs::Reflectance => 0.004,
+                _ => 0.0,
+            };
+            assert!(error <= most, "{}: {error}", entry.name);
+        }
+    }
 
     #[test]
     fn every_form_of_a_network_is_read_back() {
@@ -218,7 +86,8 @@ mod tests {
             let written = entry.paths(&folder.path().join("v1.chrome"));
             assert!(written.iter().all(|path| path.exists()), "{written:?}");
             let read = Library::load(&written[0]).map(Library::into_entries);
-            if entry.parts.is_empty() {
+            // Source code is run, not read: tests/shader.rs.
+            if entry.name != "npy" && entry.is_readable() {
                 assert_eq!(read.unwrap()[0].network.weights(), subject.network().unwrap().weights());
             }
         }

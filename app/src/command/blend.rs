@@ -1,5 +1,6 @@
 //! `nbrdf blend`: spheres along the path between materials, one row per method.
 
+mod code;
 mod painter;
 pub(crate) mod samples;
 mod walk;
@@ -43,6 +44,9 @@ pub struct Blend {
     /// Picture to write: .png with labels, or .exr with nothing but the linear spheres.
     #[arg(short, long, value_name = "PICTURE", default_value = "blend.png")]
     output: PathBuf,
+    /// Write the code of the place too: of one method that walks through codes, and one place.
+    #[arg(long, value_name = "CODE")]
+    code: Option<PathBuf>,
     /// Lights around the spheres.
     #[arg(long, value_enum, default_value_t = LightName::Studio)]
     light: LightName,
@@ -62,6 +66,9 @@ impl Blend {
         let samples = samples(self.ends.len(), &self.at, self.steps)?;
         let methods = self.methods()?;
         output::check(&self.output, &output::PICTURES)?;
+        if let Some(path) = &self.code {
+            code::check(path, &methods, &samples)?;
+        }
         let shelf = self.sources.open()?;
         let ends = self.ends(&shelf)?;
         if let Some((beyond, warning)) = samples.iter().find_map(|sample| Some((sample, sample.warning.clone()?))) {
@@ -74,6 +81,9 @@ impl Blend {
         if walks.iter().all(|walk| walk.result.is_err()) {
             let first = walks.swap_remove(0).result.err();
             return Err(first.unwrap_or_else(|| anyhow!("no method")));
+        }
+        if let (Some(path), Some((entry, walked))) = (&self.code, walks.iter().find_map(Walk::success)) {
+            code::write(path, entry, walked, &ends, &samples)?;
         }
         self.write(&ends, &samples, &walks)?;
         report::print(global, &self.json(&ends, &samples, &walks), || {
@@ -160,6 +170,7 @@ impl Blend {
             "light": self.light.light().name,
             "methods": walks.iter().map(method).collect::<Vec<_>>(),
             "output": self.output.display().to_string(),
+            "code": self.code.as_ref().map(|path| path.display().to_string()),
         })
     }
 }

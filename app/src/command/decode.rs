@@ -19,7 +19,7 @@ use crate::{output, report};
 pub struct Decode {
     /// File of a code; `-` for standard input.
     code: String,
-    /// File to write: a network as .npz, .safetensors, or .npy for a set of six; a table as .binary.
+    /// File to write: a network as .npz, .safetensors, .h5, or .npy for a set of six; a table as .binary or .bsdf.
     #[arg(short, long, value_name = "OUT")]
     output: PathBuf,
     #[command(flatten)]
@@ -36,6 +36,13 @@ impl Decode {
             let path = self.output.display();
             return Err(Failure::Usage(format!("{path}: expected the extension {}", known.join(" or "))).into());
         };
+        let stem = self.output.with_extension("");
+        for path in form.paths(&stem) {
+            output::check_no_input(&path, std::slice::from_ref(&self.code))?;
+            if path.extension() != self.output.extension() {
+                output::check_no_code(&path)?;
+            }
+        }
         let shelf = self.sources.open()?;
         let item = shelf.code(&self.code)?;
         shelf.catalog.check_used()?;

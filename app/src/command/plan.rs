@@ -10,6 +10,7 @@ mod summary;
 mod tolerance;
 
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 use std::time::Instant;
 
 use anyhow::Result;
@@ -17,6 +18,7 @@ use clap::{Args, ValueEnum};
 use nbrdf_core::plan::{By, Models, Options, Plan as Planned, Planner, TOLERANCE, Watch};
 
 use super::Global;
+use crate::catalog::{Catalog, Reference};
 use crate::failure::Failure;
 use crate::measure::planned::Opened;
 use crate::{output, progress, report};
@@ -98,7 +100,8 @@ impl Plan {
         if let Some(folder) = &self.export {
             output::make_folder(folder)?;
         }
-        let opened = Opened::load(&self.scene, self.library.as_deref(), &self.checkpoint)?;
+        let catalog = Arc::new(Catalog::new(Arc::new(Reference::built_in())));
+        let opened = Opened::load(&self.scene, self.library.as_deref(), &self.checkpoint, &catalog)?;
         let by = if self.by == Least::Time { By::Time } else { By::Bytes };
         let tolerance = self.tolerance.or(opened.scene.tolerance).unwrap_or(TOLERANCE);
         let options = opened.options(tolerance, by, self.most_bytes);

@@ -10,6 +10,10 @@ const fn command(key: Key) -> KeyboardShortcut {
     KeyboardShortcut::new(Modifiers::COMMAND, key)
 }
 
+const fn shift(key: Key) -> KeyboardShortcut {
+    KeyboardShortcut::new(Modifiers::SHIFT, key)
+}
+
 const fn command_shift(key: Key) -> KeyboardShortcut {
     KeyboardShortcut::new(Modifiers::COMMAND.plus(Modifiers::SHIFT), key)
 }
@@ -52,6 +56,8 @@ actions! {
     Undo: "Undo", [command(Key::Z)];
     Redo: "Redo", [command(Key::Y), REDO];
     Open: "Open files", [command(Key::O)];
+    NextPane: "Go to the next pane", [plain(Key::F6)];
+    PaneBefore: "Go to the pane before", [shift(Key::F6)];
     Search: "Search the library", [command(Key::F)];
     Play: "Play or pause", [plain(Key::Space)];
     Swap: "Walk the other way round", [plain(Key::X)];
@@ -79,7 +85,9 @@ actions! {
 impl Action {
     /// The first key as it is written on keyboards; empty where there is none.
     pub fn shown_key(self, context: &Context) -> String {
-        self.keys().first().map_or_else(String::new, |key| context.format_shortcut(key))
+        // As on the key: a name would be looked for among those with names.
+        let symbol = |text: String| text.replace("Plus", "+").replace("Minus", "−");
+        self.keys().first().map_or_else(String::new, |key| symbol(context.format_shortcut(key)))
     }
 
     /// What was just asked for by keys. Plain letters are left to a text that is being typed, and the space bar to
@@ -90,8 +98,8 @@ impl Action {
         let is_free = |key: &KeyboardShortcut| match key.logical_key {
             _ if !key.modifiers.is_none() => true,
             Key::Space => !is_focused,
-            Key::F1 => true,
-            _ => !is_typing,
+            Key::F1 | Key::F6 => true,
+            letter => !is_typing && !super::put::takes(context, letter),
         };
         // Shortcuts with more modifiers first, so that none is taken for a shorter one.
         let mut keys: Vec<_> =

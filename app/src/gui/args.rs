@@ -12,7 +12,7 @@ use super::session::{LAMP, Way};
 use super::store::{self, Found};
 use super::window::{self, Opening};
 use super::{Layout, Session};
-use crate::worker::Lighting;
+use crate::worker::{Asset, Lighting};
 
 /// The desktop app: walk between two materials and watch.
 #[derive(Debug, Clone, Default, Args)]
@@ -83,7 +83,7 @@ impl Light {
         match self {
             Self::Studio => Lighting::Studio,
             Self::Point => LAMP,
-            Self::Softboxes => Lighting::Around { map: 0, turn: 0.0 },
+            Self::Softboxes => Lighting::Around { map: Asset::BuiltIn, turn: 0.0 },
         }
     }
 }
@@ -119,7 +119,21 @@ impl App {
                 opening.size = saved.window;
             }
             Some(Found::Damaged(why)) => opening.notices.push(why),
+            Some(Found::Stuck(why)) => {
+                opening.file = None;
+                opening.notices.push(why);
+            }
             Some(Found::Nothing) | None => {}
+        }
+        if let Some(file) = opening.file.as_deref().filter(|file| self.new && file.exists()) {
+            match store::put_aside(file, "before.json") {
+                Ok(aside) => opening.notices.push(format!("The session before is kept as {}.", aside.display())),
+                Err(error) => {
+                    let why = format!("{}: could not be put aside ({error})", file.display());
+                    opening.notices.push(format!("{why}, so that this session is not saved."));
+                    opening.file = None;
+                }
+            }
         }
         opening.session = self.session(opening.session)?;
         opening.size = self.size.map(|size| size.map(f32::from)).or(opening.size);
@@ -171,8 +185,12 @@ impl App {
 }
 
 /// What the window system said, without the place in the source that it said it from.
-fn reason(error: &dyn std::error::Error) -> String {
-    let text = error.to_string();
+fn reason(error: &eframe::Error) -> String {
+    let text = match error {
+        // What was tried to no avail fills half a window.
+        eframe::Error::NoGlutinConfigs(_, why) => why.to_string(),
+        error => error.to_string(),
+    };
     text.rsplit(".rs:")
         .next()
         .unwrap_or_default()

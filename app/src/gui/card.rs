@@ -2,21 +2,24 @@
 
 use egui::{
     Align, Color32, CursorIcon, Layout, Pos2, Rect, Response, RichText, Sense, Spinner, Stroke, StrokeKind, Ui,
-    UiBuilder, Vec2, WidgetInfo, pos2, vec2,
+    UiBuilder, Vec2, WidgetInfo, vec2,
 };
 
 use super::gallery::{State, View};
-use super::session::letter;
-use super::{Session, drag, framing, look, pick};
+use super::session::{letter, shown};
+use super::{Session, drag, framing, look, pick, picture, travel};
 use crate::catalog::Catalog;
 use crate::worker::{Card, Figures};
 
 const MARGIN: f32 = 10.0;
 const TITLE: f32 = 24.0;
 const LINE: f32 = 18.0;
+/// How far a key press moves light or point, in radii of a sphere.
+const STEP: f32 = 0.05;
 /// What can be done with a sphere.
 pub const HOW: &str = "Drag to move the light. Wheel or pinch: zoom. Shift or another button: drag the picture. Double \
-                       click: all of it. Alt or Ctrl: pick a point (P)";
+                       click: all of it. Alt or Ctrl: pick a point (P). Arrow keys move the light, or the point \
+                       while one is picked; Page up and down zoom, Home shows all";
 
 /// One card.
 pub struct CardPanel<'a> {
@@ -74,7 +77,7 @@ impl CardPanel<'_> {
                 ui.label(mark).on_hover_text("Beyond the ends: a guess, no mixture of what is known");
                 ui.add_space(6.0);
             }
-            let name = name.strip_prefix("rgl/").unwrap_or(name);
+            let name = shown(name);
             if self.card == Card::Explored {
                 let end = ui.small_button("End").on_hover_text("No longer show this place of the map (Esc)");
                 is_over = end.clicked();
@@ -101,6 +104,7 @@ impl CardPanel<'_> {
         if picture(ui, rect, self.view) {
             mark(self.session, ui, rect, &sphere);
         }
+        look::focus(ui.painter(), &sphere, ui.visuals());
         sphere.on_hover_cursor(CursorIcon::Crosshair).on_hover_text(HOW);
     }
 }
@@ -120,10 +124,9 @@ pub fn picture(ui: &mut Ui, rect: Rect, view: Option<&View>) -> bool {
     let texture = view.and_then(|view| view.texture.as_ref());
     if let Some(texture) = texture.filter(|_| !matches!(state, State::Failed(_))) {
         let tint = if *state == State::Shown { Color32::WHITE } else { Color32::from_white_alpha(50) };
-        ui.painter().image(texture.id(), rect, Rect::from_min_max(pos2(0.0, 0.0), pos2(1.0, 1.0)), tint);
+        picture::whole(ui.painter(), texture, rect, tint);
     } else {
-        let quiet = ui.visuals().weak_text_color().gamma_multiply(0.12);
-        ui.painter().circle_filled(rect.center(), 0.495 * rect.width(), quiet);
+        picture::ball(ui.painter(), None, rect, ui.visuals());
     }
     match state {
         State::Pending => wait(ui, rect, "preparing"),
@@ -136,6 +139,9 @@ pub fn picture(ui: &mut Ui, rect: Rect, view: Option<&View>) -> bool {
 /// Dragging moves the lamp so that its reflection stays under the pointer; or the picked point, or what is shown.
 pub fn light(session: &mut Session, ui: &Ui, rect: Rect, sphere: &Response) {
     let is_picking = pick::is_asked(ui, session);
+    if let Some(steps) = travel::steps(ui, sphere) {
+        nudge(session, steps);
+    }
     if framing::change(ui, &mut session.look.scenery.frame, sphere) {
         return;
     }
@@ -151,6 +157,19 @@ pub fn light(session: &mut Session, ui: &Ui, rect: Rect, sphere: &Response) {
             session.look.point_at(from_middle.x, -from_middle.y);
         }
         ui.ctx().set_cursor_icon(CursorIcon::Crosshair);
+    }
+}
+
+/// What arrow keys move: the point while it is picked, else the lamp or the map that surrounds the spheres.
+fn nudge(session: &mut Session, steps: [f32; 2]) {
+    let [across, up] = steps.map(|steps| STEP * steps);
+    let Session { look, pick, .. } = session;
+    if pick.is_picking {
+        let [x, y] = pick.at.unwrap_or_default();
+        pick.put([x + across, y + up].map(f64::from));
+    } else if !look.turn_by(across) {
+        let [x, y] = look.highlight().unwrap_or_default();
+        look.point_at(x + across, y + up);
     }
 }
 

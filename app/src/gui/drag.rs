@@ -1,10 +1,8 @@
 //! Materials that are dragged from the list to where they are to be.
 
-use egui::{
-    Color32, Context, DragAndDrop, Id, LayerId, Order, Rect, Response, Stroke, StrokeKind, Ui, Vec2, pos2, vec2,
-};
+use egui::{Context, DragAndDrop, Id, LayerId, Order, Rect, Response, Stroke, StrokeKind, Ui, Vec2, vec2};
 
-use super::{Gallery, look};
+use super::{Gallery, look, picture};
 
 /// Side of the picture under the pointer \[points\].
 const SIDE: f32 = 56.0;
@@ -29,15 +27,8 @@ pub fn accept(ui: &Ui, target: &Response) -> Option<String> {
 pub fn show(context: &Context, gallery: &Gallery) {
     let Some(dragged) = DragAndDrop::payload::<MaterialName>(context) else { return };
     let Some(pointer) = context.pointer_interact_pos() else { return };
-    let painter = context.layer_painter(LayerId::new(Order::Tooltip, Id::unique("dragged material")));
+    let mut painter = context.layer_painter(LayerId::new(Order::Tooltip, Id::unique("dragged material")));
     let rect = Rect::from_center_size(pointer + vec2(0.0, 4.0), Vec2::splat(SIDE));
-    match gallery.thumbnail(&dragged.0) {
-        Some(texture) => {
-            let whole = Rect::from_min_max(pos2(0.0, 0.0), pos2(1.0, 1.0));
-            painter.image(texture.id(), rect, whole, Color32::from_white_alpha(225));
-        }
-        None => {
-            painter.circle_filled(rect.center(), SIDE / 2.0, Color32::from_gray(128).gamma_multiply(0.5));
-        }
-    }
+    painter.set_opacity(0.88);
+    picture::ball(&painter, gallery.thumbnail(&dragged.0), rect, &context.global_style().visuals);
 }

@@ -1,7 +1,9 @@
-//! Zooming and moving pictures by pointer; all pictures show the same part.
+//! Zooming pictures by pointer and keys, and moving them by pointer; all pictures show the same part.
 
 use egui::{CursorIcon, PointerButton, Pos2, Rect, Response, Ui, Vec2};
 use nbrdf_core::render::Frame;
+
+use super::travel;
 
 /// Points of the wheel that double the size.
 const DOUBLES: f32 = 240.0;
@@ -18,6 +20,12 @@ pub fn change(ui: &Ui, frame: &mut Frame, picture: &Response) -> bool {
         if factor != 1.0 && factor.is_finite() {
             *frame = frame.zoomed(factor, place(rect, pointer));
         }
+    }
+    if let Some(factor) = travel::zoom(ui, picture) {
+        *frame = frame.zoomed(factor.into(), [0.0; 2]);
+    }
+    if travel::is_home(ui, picture) {
+        *frame = Frame::WHOLE;
     }
     // Of what picks, the second click is another place.
     if picture.double_clicked() && !ui.input(|input| input.modifiers.alt || input.modifiers.command) {

@@ -2,7 +2,7 @@
 
 mod tableau;
 
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 use std::path::PathBuf;
 
 use egui::{ColorImage, Context, TextureHandle, TextureOptions};
@@ -12,7 +12,9 @@ pub use tableau::Tableau;
 use super::atlas::Atlas;
 use super::curves::Curves;
 use super::exports::Files;
-use crate::worker::{Answer, Card, Difference, Figures, Job, Measured, Picture, Plates, Point, Property};
+use crate::worker::{
+    Answer, BUILT_IN, Card, Difference, Figures, Job, Listed, Measured, Picture, Plates, Point, Property,
+};
 
 /// All pictures on the screen.
 #[derive(Default)]
@@ -25,8 +27,8 @@ pub struct Gallery {
     pub preparing: Option<&'static str>,
     /// Number of the last request shown in full.
     pub done: u64,
-    /// Names of the environment maps.
-    pub maps: Vec<String>,
+    /// The environment maps that are there.
+    pub maps: Vec<Listed>,
     pictures: u64,
     /// The newest difference of two cards.
     pub heat: Option<Heat>,
@@ -50,8 +52,8 @@ pub struct Gallery {
     pub is_reopened: bool,
     qualities: HashMap<String, [f64; 3]>,
     errors: HashMap<String, f64>,
-    /// Names of the meshes.
-    pub solids: Vec<String>,
+    /// The meshes that are there.
+    pub meshes: Vec<Listed>,
     plates: Plates,
     thumbnails: HashMap<String, TextureHandle>,
     views: HashMap<Card, View>,
@@ -99,7 +101,8 @@ pub enum State {
 impl Gallery {
     /// Nothing to see yet of these materials.
     pub fn of(names: Vec<String>, plates: Plates) -> Self {
-        Self { names, plates, maps: vec!["Soft boxes".to_owned()], solids: vec!["Knot".to_owned()], ..Self::default() }
+        let [maps, meshes] = BUILT_IN.map(|name| vec![Listed::built_in(name)]);
+        Self { names, plates, maps, meshes, ..Self::default() }
     }
 
     /// Takes an answer in.
@@ -128,7 +131,7 @@ impl Gallery {
                 show(context, &self.plates, &mut texture, picture);
                 self.thumbnails.extend(texture.map(|texture| (name, texture)));
             }
-            Answer::Opened(names) => self.names.extend(names),
+            Answer::Opened(names) => self.list(names),
             Answer::Difference(Difference { cards, picture, top, mean, largest }) => {
                 let mut texture = self.heat.take().map(|heat| heat.texture);
                 show(context, &self.plates, &mut texture, picture);
@@ -140,16 +143,19 @@ impl Gallery {
             Answer::Map(answer) => self.atlas.take(answer),
             Answer::Scene(news) => self.scene.take(context, news),
             Answer::Export(news) => self.files.take(news).into_iter().for_each(|text| self.notify(text)),
-            Answer::Kept(path, names) => self.sources.extend(names.into_iter().map(|name| (name, path.clone()))),
+            Answer::Kept(path, names) => {
+                self.sources.retain(|_, source| *source != path);
+                self.sources.extend(names.into_iter().map(|name| (name, path.clone())));
+            }
             // The session's.
-            Answer::Lost(_) => {}
+            Answer::Lost(_) | Answer::Pasted(_) => {}
             Answer::Reopened => self.is_reopened = true,
             Answer::Jobs(jobs) => self.jobs = jobs,
             Answer::Property(name, Property::Qualities(found)) => drop(self.qualities.insert(name, found)),
             Answer::Property(name, Property::Error(found)) => drop(self.errors.insert(name, found)),
             Answer::Dialog(why) => self.dialog = why,
-            Answer::Surround(names, _) | Answer::Maps(names) => self.maps = names,
-            Answer::Solid(names, _) | Answer::Solids(names) => self.solids = names,
+            Answer::Maps(maps, _) => self.maps = maps,
+            Answer::Meshes(meshes, _) => self.meshes = meshes,
             Answer::Notice(text) => self.notify(text),
         }
     }
@@ -186,6 +192,11 @@ impl Gallery {
         self.pictures
     }
 
+    /// Side of the largest picture \[px\].
+    pub fn largest_side(&self) -> usize {
+        self.views.values().filter_map(|view| view.texture.as_ref()).flat_map(TextureHandle::size).max().unwrap_or(0)
+    }
+
     /// What there is to see of a card.
     pub fn view(&self, card: Card) -> Option<&View> {
         self.views.get(&card)
@@ -199,6 +210,15 @@ impl Gallery {
     /// One point of a film strip.
     pub fn frame(&self, card: Card, step: usize) -> Option<&TextureHandle> {
         self.frames.get(&(card, step))
+    }
+
+    /// These materials are there now; what is known of a name that is gone is forgotten.
+    fn list(&mut self, names: Vec<String>) {
+        let there: HashSet<&String> = names.iter().collect();
+        self.thumbnails.retain(|name, _| there.contains(name));
+        self.qualities.retain(|name, _| there.contains(name));
+        self.errors.retain(|name, _| there.contains(name));
+        self.names = names;
     }
 
     fn fail(&mut self, card: Card, state: State) {

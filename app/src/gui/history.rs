@@ -1,4 +1,8 @@
 //! Undo and redo: what the session was before, step by step.
+//!
+//! Each step changes one of three: the kept blends, the favourites, or all else. To keep, rename or forget a blend and to
+//! make a favourite are steps of their own, also in the middle of a drag or while a path plays; so undoing another step
+//! never takes a kept blend or a favourite along.
 
 use super::Session;
 
@@ -20,13 +24,25 @@ impl History {
 
     /// Takes note of a change, once it is complete: a drag, a playing path or a word being typed is one step.
     pub fn watch(&mut self, session: &Session, is_complete: bool) {
-        if !is_complete || session.blend.playing.is_some() || is_same(session, &self.present) {
-            return;
+        if session.blends != self.present.blends {
+            let blends = session.blends.clone();
+            self.step(Session { blends, ..self.present.clone() });
         }
+        if session.listing.favourites != self.present.listing.favourites {
+            let mut next = self.present.clone();
+            next.listing.favourites.clone_from(&session.listing.favourites);
+            self.step(next);
+        }
+        if is_complete && session.blend.playing.is_none() && !is_same(session, &self.present) {
+            self.step(still(session));
+        }
+    }
+
+    fn step(&mut self, next: Session) {
         if self.past.len() >= KEPT {
             self.past.remove(0);
         }
-        self.past.push(std::mem::replace(&mut self.present, still(session)));
+        self.past.push(std::mem::replace(&mut self.present, next));
         self.future.clear();
     }
 
@@ -54,12 +70,12 @@ impl History {
     }
 
     /// All but what is looked for in the list, with which tool, and where the map was moved: nobody wants a word they typed
-    /// to go away with a slider. And but the files that
-    /// are open, and where files are written to.
+    /// to go away with a slider. And but the files and the codes that are open, and where files are written to.
     fn restore(&self, session: &mut Session) {
         let before = std::mem::replace(session, self.present.clone());
         session.listing.search = before.listing.search;
-        (session.files, session.export) = (before.files, before.export);
+        (session.files, session.origins) = (before.files, before.origins);
+        (session.pasted, session.export) = (before.pasted, before.export);
         session.pick.is_picking = before.pick.is_picking;
         if session.map.projection == before.map.projection {
             (session.map.centre, session.map.zoom) = (before.map.centre, before.map.zoom);
@@ -74,6 +90,8 @@ fn still(session: &Session) -> Session {
     session.pick.is_picking = false;
     session.map.reset();
     session.files.clear();
+    session.origins.clear();
+    session.pasted = Default::default();
     session.export = Default::default();
     session
 }
@@ -119,5 +137,57 @@ mod tests {
         session.blend.go_to(0.9);
         history.watch(&session, true);
         assert_eq!(history.ways(), [true, false]);
+    }
+
+    fn names(session: &Session) -> Vec<&str> {
+        session.blends.iter().map(|kept| kept.name.as_str()).collect()
+    }
+
+    #[test]
+    fn a_blend_that_is_kept_while_a_path_is_dragged_stays_when_the_drag_is_undone() {
+        let mut session = Session::default();
+        let mut history = History::new(&session);
+        session.blend.go_to(0.7);
+        history.watch(&session, false);
+        session.keep_blend("gold");
+        session.listing.toggle_favourite("chrome");
+        history.watch(&session, false);
+        session.blend.go_to(0.9);
+        history.watch(&session, true);
+        history.undo(&mut session);
+        assert_eq!((session.blend.t, names(&session)), (0.5, vec!["gold"]));
+        assert!(session.listing.favourites.contains("chrome"));
+        history.undo(&mut session);
+        assert!(session.listing.favourites.is_empty());
+        assert_eq!(names(&session), ["gold"]);
+        history.undo(&mut session);
+        assert_eq!((session.blend.t, names(&session)), (0.5, vec![]));
+        (0..3).for_each(|_| history.redo(&mut session));
+        assert_eq!((session.blend.t, names(&session)), (0.9, vec!["gold"]));
+        assert!(session.listing.favourites.contains("chrome"));
+    }
+
+    #[test]
+    fn keeping_renaming_and_forgetting_a_blend_are_one_step_each_while_a_path_plays() {
+        let mut session = Session::default();
+        let mut history = History::new(&session);
+        session.blend.toggle_play();
+        let changes: [fn(&mut Session); 3] = [
+            |session| session.keep_blend("gold"),
+            |session| session.rename_blend(0, "silver"),
+            |session| session.forget_blend(0),
+        ];
+        for change in changes {
+            session.blend.advance(0.1);
+            change(&mut session);
+            history.watch(&session, true);
+        }
+        history.undo(&mut session);
+        assert_eq!((session.blend.t, session.blend.playing), (0.5, None), "what is going on is undone first");
+        for after in [vec!["silver"], vec!["gold"], vec![]] {
+            history.undo(&mut session);
+            assert_eq!((session.blend.t, names(&session)), (0.5, after));
+        }
+        assert_eq!(history.ways(), [false, true]);
     }
 }

@@ -1,6 +1,6 @@
 //! Where the panes are: docked, resized and stacked as the user likes.
 
-use egui::{Ui, WidgetText};
+use egui::{Response, Ui, WidgetText};
 use egui_tiles::{
     Behavior, Container, Linear, LinearDir, ResizeState, SimplificationOptions, TabState, Tile, TileId, Tiles, Tree,
     UiResponse,
@@ -100,16 +100,22 @@ impl Behavior<Pane> for Desk<'_> {
         26.0
     }
 
-    fn tab_bar_color(&self, visuals: &egui::Visuals) -> egui::Color32 {
-        visuals.panel_fill
+    fn tab_bar_color(&self, _: &egui::Visuals) -> egui::Color32 {
+        egui::Color32::TRANSPARENT
     }
 
     fn tab_bg_color(&self, visuals: &egui::Visuals, _: &Tiles<Pane>, _: TileId, state: &TabState) -> egui::Color32 {
-        if state.active { look::card_fill(visuals) } else { visuals.panel_fill }
+        if state.active { look::card_fill(visuals) } else { egui::Color32::TRANSPARENT }
     }
 
     fn tab_outline_stroke(&self, _: &egui::Visuals, _: &Tiles<Pane>, _: TileId, _: &TabState) -> egui::Stroke {
         egui::Stroke::NONE
+    }
+
+    fn on_tab_button(&mut self, _: &mut Tiles<Pane>, _: TileId, button: Response) -> Response {
+        let context = &button.ctx;
+        look::focus(&context.layer_painter(button.layer_id), &button, &context.global_style().visuals);
+        button
     }
 
     fn resize_stroke(&self, style: &egui::Style, state: ResizeState) -> egui::Stroke {

@@ -1,7 +1,8 @@
 //! Colours and measures, dark and light.
 
 use egui::{
-    Align2, Color32, Context, CornerRadius, FontFamily, FontId, Painter, Pos2, Stroke, TextStyle, Theme, Visuals,
+    Align2, Color32, Context, CornerRadius, FontFamily, FontId, Painter, Pos2, Rect, Response, Stroke, StrokeKind,
+    TextStyle, Theme, Visuals,
 };
 
 use super::session::letter;
@@ -76,6 +77,18 @@ pub fn card_stroke(visuals: &Visuals) -> Stroke {
     Stroke::new(1.0, colour)
 }
 
+/// A ring around what has the keyboard's focus and does not show it otherwise.
+pub fn focus(painter: &Painter, of: &Response, visuals: &Visuals) {
+    if of.has_focus() {
+        ring(painter, of.rect, StrokeKind::Inside, visuals);
+    }
+}
+
+/// The ring itself.
+pub fn ring(painter: &Painter, rect: Rect, kind: StrokeKind, visuals: &Visuals) {
+    painter.rect_stroke(rect, ROUND, Stroke::new(1.5, visuals.selection.stroke.color), kind);
+}
+
 /// A disc with the end's letter.
 pub fn badge(painter: &Painter, centre: Pos2, end: usize, is_chosen: bool, visuals: &Visuals) {
     let (radius, colour) = (9.0, accent(end, visuals));
@@ -121,7 +134,8 @@ fn dark() -> Visuals {
 fn light() -> Visuals {
     let mut visuals = Visuals::light();
     visuals.panel_fill = Color32::from_rgb(243, 243, 245);
-    visuals.window_fill = Color32::WHITE;
+    // Not white, so that white fields for text are seen on it.
+    visuals.window_fill = Color32::from_rgb(247, 247, 249);
     visuals.extreme_bg_color = Color32::WHITE;
     visuals.faint_bg_color = Color32::from_rgb(234, 235, 238);
     visuals.override_text_color = Some(Color32::from_gray(30));

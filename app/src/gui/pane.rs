@@ -8,12 +8,12 @@ mod point;
 mod scene;
 mod view;
 
-use egui::{Frame, Margin, Ui};
+use egui::{Frame, Id, Margin, Sense, StrokeKind, Ui, WidgetInfo};
 use serde::{Deserialize, Serialize};
 
 use super::shelf::{Errand, Opener, Shelf};
 use super::stage::Stage;
-use super::{Gallery, Session};
+use super::{Gallery, Session, look};
 use crate::worker::scene::Ask;
 use crate::worker::{Inquiry, Topic};
 
@@ -70,6 +70,8 @@ pub struct Desk<'a> {
     pub gallery: &'a Gallery,
     /// Whether the search field is to have the focus.
     pub is_searching: &'a mut bool,
+    /// The pane that is to have the focus.
+    pub(super) entering: &'a mut Option<Pane>,
     /// Where paths of files are typed.
     pub(super) opener: &'a mut Opener,
     /// What the library cannot do itself.
@@ -104,13 +106,13 @@ pub struct Wanted {
 impl Desk<'_> {
     /// One frame of a pane.
     pub fn show(&mut self, ui: &mut Ui, pane: Pane) {
-        let fill = ui.visuals().panel_fill;
         let margin = match pane {
             Pane::Stage => Margin::same(8),
             _ => Margin::symmetric(10, 8),
         };
-        Frame::new().fill(fill).inner_margin(margin).show(ui, |ui| {
+        Frame::new().inner_margin(margin).show(ui, |ui| {
             ui.set_min_size(ui.available_size());
+            self.focus(ui, pane);
             match pane {
                 Pane::Library => {
                     let shelf = Shelf {
@@ -139,5 +141,17 @@ impl Desk<'_> {
                 Pane::Inspector => self.wanted.is_measured = inspector::show(ui, self.session, self.gallery),
             }
         });
+    }
+
+    /// The pane itself as something that takes the focus: it is reached by keys, and Tab leads into it.
+    fn focus(&mut self, ui: &Ui, pane: Pane) {
+        let whole = ui.interact(ui.max_rect(), Id::unique(("pane", pane)), Sense::focusable_noninteractive());
+        whole.widget_info(|| WidgetInfo::labeled(egui::Role::Group, true, format!("{} pane", pane.title())));
+        if self.entering.take_if(|entering| *entering == pane).is_some() {
+            whole.request_focus();
+        }
+        if whole.has_focus() {
+            look::ring(ui.painter(), ui.max_rect().expand(4.0), StrokeKind::Inside, ui.visuals());
+        }
     }
 }

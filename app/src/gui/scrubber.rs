@@ -1,7 +1,7 @@
 //! The slider from the first material to the last, with a mark at every sixteenth.
 
 use egui::{
-    Align2, EventFilter, FontId, Id, Key, Mesh, Rect, Response, Sense, Shape, Stroke, Ui, WidgetInfo,
+    Align2, EventFilter, FontId, Id, Key, Mesh, Rangef, Rect, Response, Sense, Shape, Stroke, Ui, WidgetInfo,
     accesskit::Action, pos2, vec2,
 };
 
@@ -9,6 +9,10 @@ use super::session::{Blend, TICKS};
 use super::{Session, look};
 
 const HEIGHT: f32 = 34.0;
+/// From the rims to the ends of the rail: a share of the width, within bounds \[points\].
+const INSET: (f32, [f32; 2]) = (0.045, [34.0, 64.0]);
+/// From the ends of the rail to their badges \[points\].
+const BADGE: f32 = 24.0;
 
 /// The slider's own id: keys that are its own even without focus ask for it.
 pub fn id() -> Id {
@@ -21,11 +25,13 @@ pub struct Scrubber<'a> {
 }
 
 impl Scrubber<'_> {
-    pub fn show(self, ui: &mut Ui) -> Response {
+    /// Where the rail lies from left to right: lowest and highest t.
+    pub fn show(self, ui: &mut Ui) -> Rangef {
         let Self { session } = self;
         let (_, rect) = ui.allocate_space(vec2(ui.available_width(), HEIGHT));
         let mut scrubber = ui.interact(rect, id(), Sense::click_and_drag());
-        let rail = Rect::from_min_max(pos2(rect.left() + 34.0, rect.top()), pos2(rect.right() - 34.0, rect.bottom()));
+        let inset = (INSET.0 * rect.width()).clamp(INSET.1[0], INSET.1[1]);
+        let rail = rect.shrink2(vec2(inset, 0.0));
         if (scrubber.dragged() || scrubber.clicked())
             && let Some(pointer) = scrubber.interact_pointer_pos()
         {
@@ -42,7 +48,9 @@ impl Scrubber<'_> {
         keys(ui, &scrubber, session);
         scrubber.widget_info(|| WidgetInfo::slider(true, f64::from(session.blend.t), "t, from A to B"));
         paint(ui, rect, rail, &scrubber, &session.blend);
-        scrubber.on_hover_text("t: drag, or left and right arrow keys; Home and End go to A and B")
+        scrubber
+            .on_hover_text("t: drag, or left and right arrow keys; Home and End go to the first and the last material");
+        rail.x_range()
     }
 }
 
@@ -100,8 +108,8 @@ fn paint(ui: &Ui, rect: Rect, rail: Rect, scrubber: &Response, blend: &Blend) {
     for end in 0..=last {
         // At the rims beside the rail; keys in between, and ends that are gone beyond, on it.
         let at = match end {
-            0 if !blend.is_beyond => rect.left() + 10.0,
-            _ if end == last && !blend.is_beyond => rect.right() - 10.0,
+            0 if !blend.is_beyond => rail.left() - BADGE,
+            _ if end == last && !blend.is_beyond => rail.right() + BADGE,
             _ => x(end as f32 / last as f32),
         };
         look::badge(painter, pos2(at, y), end, true, visuals);

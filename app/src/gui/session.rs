@@ -4,17 +4,23 @@ mod blend;
 mod compare;
 mod export;
 mod figures;
+mod files;
 mod kept;
 mod listing;
 mod look;
 mod map;
 mod mend;
 mod methods;
+mod pasted;
 mod pick;
+mod play;
 mod polygon;
 mod scene;
+mod shown;
 mod slots;
 mod sort;
+mod tour;
+mod weigh;
 
 use std::path::PathBuf;
 
@@ -22,7 +28,7 @@ use egui::ThemePreference;
 use serde::{Deserialize, Serialize};
 
 pub use crate::worker::export::PictureForm;
-pub use blend::{BEYOND, Blend, TICKS, Towards, Way, letter};
+pub use blend::{BEYOND, Blend, TICKS, Way, letter};
 pub use compare::{Compare, Mode, Pair};
 pub use export::{Export, SIZES, STEPS, What, name_of as export_name_of};
 pub use figures::{Channel, Figure, FigureChoice, Quantity, Radius};
@@ -31,13 +37,15 @@ pub use listing::{Listing, shown};
 pub use look::{LAMP, Look, MAX_EXPOSURE};
 pub use map::{MapView, Tint};
 pub use methods::Methods;
+pub use pasted::Pasted;
 pub use pick::Pick;
+pub use play::Towards;
 pub use polygon::corners;
 pub use scene::{Scene, Shown, TOLERANCES};
 pub use slots::MOST_ENDS;
 pub use sort::Sort;
 
-use crate::worker::{Card, Explored};
+use crate::worker::{Card, Explored, Origins};
 
 /// Everything the user can change.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -73,6 +81,10 @@ pub struct Session {
     pub export: Export,
     /// Files that are open, in the order they were opened; the next start opens them again.
     pub files: Vec<PathBuf>,
+    /// Which of them the materials come from, by name, so that the next start finds them under the same names.
+    pub origins: Origins,
+    /// Codes that were pasted; the next start lists them again.
+    pub pasted: Pasted,
 }
 
 impl Default for Session {
@@ -93,6 +105,8 @@ impl Default for Session {
             blends: Vec::new(),
             export: Export::default(),
             files: Vec::new(),
+            origins: Origins::new(),
+            pasted: Pasted::default(),
         }
     }
 }

@@ -125,6 +125,9 @@ fn nothing(ui: &mut Ui, listing: &mut Listing) {
             (false, false) => "No material has such a name.",
         };
         ui.label(RichText::new(text).weak());
+        if !listing.search.is_empty() && ui.button("Clear search").clicked() {
+            listing.search.clear();
+        }
         if listing.is_filtered() && ui.button("Clear filter").clicked() {
             listing.clear_filters();
         }

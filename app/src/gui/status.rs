@@ -30,8 +30,8 @@ impl Status<'_> {
             ui.label(RichText::new(text).small().weak());
             ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
                 let about = match is_around {
-                    true => "figures need the light Studio or Point",
-                    false => "figures: against the exact linear mix of A and B",
+                    true => "Figures need the light Studio or Point",
+                    false => "Figures: against the exact linear mix of the ends",
                 };
                 ui.label(RichText::new(about).small().weak());
             });

@@ -1,5 +1,7 @@
 //! The session's file: written while one works, read at the next start, so that a crash loses a second at most.
 
+mod earlier;
+
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::thread::JoinHandle;
@@ -53,6 +55,8 @@ pub enum Found {
     Session(Box<Saved>),
     /// Something else: what is wrong, and where it was put.
     Damaged(String),
+    /// The same, but it stays where it is: nothing may be written there.
+    Stuck(String),
 }
 
 /// Where sessions are kept on this system.
@@ -70,22 +74,34 @@ pub fn named() -> Option<PathBuf> {
 
 /// Reads a session. A file that is none is put aside, so that nothing is lost.
 pub fn read(file: &Path) -> Found {
-    let text = match nbrdf_core::bounded::read(file, MOST_BYTES) {
-        Ok(Some(text)) => text,
-        Ok(None) => return Found::Damaged(format!("{}: too large for a session", file.display())),
+    let why = match nbrdf_core::bounded::read(file, MOST_BYTES) {
+        Ok(Some(text)) => match parse(&text) {
+            Ok(saved) => return Found::Session(Box::new(saved)),
+            Err(why) => why,
+        },
+        Ok(None) => "too large for a session".to_owned(),
         Err(error) if error.kind() == std::io::ErrorKind::NotFound => return Found::Nothing,
-        Err(error) => return Found::Damaged(format!("{}: {error}", file.display())),
+        Err(error) => error.to_string(),
     };
-    let why = match parse(&text) {
-        Ok(saved) => return Found::Session(Box::new(saved)),
-        Err(why) => why,
-    };
-    let aside = free(&file.with_extension("damaged.json"));
-    let kept = match std::fs::rename(file, &aside) {
-        Ok(()) => format!("it is kept as {}", aside.display()),
-        Err(error) => format!("it could not be put aside: {error}"),
-    };
-    Found::Damaged(format!("{}: {why}; {kept}, and a new session begins", file.display()))
+    match put_aside(file, "damaged.json") {
+        Ok(aside) => {
+            let kept = format!("it is kept as {}, and a new session begins", aside.display());
+            Found::Damaged(format!("{}: {why}; {kept}", file.display()))
+        }
+        Err(error) => {
+            let kept = format!("it could not be put aside ({error}), so that this session is not saved");
+            Found::Stuck(format!("{}: {why}; {kept}", file.display()))
+        }
+    }
+}
+
+/// Gives a file another name, so that a new one does not take its place; that name.
+///
+/// # Errors
+/// What the file system reports.
+pub fn put_aside(file: &Path, ending: &str) -> std::io::Result<PathBuf> {
+    let aside = free(&file.with_extension(ending));
+    std::fs::rename(file, &aside).map(|()| aside)
 }
 
 /// A session in range; panes that are not understood are arranged anew.
@@ -96,8 +112,10 @@ fn parse(text: &[u8]) -> Result<Saved, String> {
         return Err(format!("expected a session of schema {SCHEMA}, found {schema:?}"));
     }
     let part = |name: &str| found.get(name).cloned().unwrap_or_default();
+    let mut session = part("session");
+    earlier::renew(&mut session);
     let session: Session =
-        serde_json::from_value(part("session")).map_err(|error| format!("expected a session, found {error}"))?;
+        serde_json::from_value(session).map_err(|error| format!("expected a session, found {error}"))?;
     let layout = serde_json::from_value(part("layout")).ok().flatten();
     let window = serde_json::from_value(part("window")).ok().flatten();
     Ok(Saved { schema: SCHEMA, session: session.mended(), layout, window })
@@ -142,7 +160,8 @@ impl Store {
 
     /// Keeps what is there at the end; returns once it is written.
     pub fn finish(&mut self, saved: Saved) {
-        self.put(saved);
+        // Also what was put before: it may have been refused.
+        self.letters.put(saved);
         self.letters.finish();
         self.writer.take().map(JoinHandle::join);
     }
@@ -192,6 +211,9 @@ mod tests {
             assert_eq!(std::fs::read_to_string(folder.path().join(aside)).unwrap(), text);
             assert!(!file.exists());
         }
+        std::fs::File::create(&file).unwrap().set_len(MOST_BYTES + 1).unwrap();
+        let Found::Damaged(why) = read(&file) else { panic!("no limit") };
+        assert!(why.contains("too large") && folder.path().join("session.damaged.3.json").exists(), "{why}");
         let foreign = r#"{"schema": 1, "session": {"blend": {"t": 0.25}}, "layout": {"root": 7}, "window": "wide"}"#;
         std::fs::write(&file, foreign).unwrap();
         let Found::Session(found) = read(&file) else { panic!("a session of another version") };

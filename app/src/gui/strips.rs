@@ -1,8 +1,8 @@
 //! Whole paths as film strips: the material at some points of each, and where t is among them.
 
-use egui::{Align2, Color32, FontId, Rect, Sense, Shape, Stroke, Ui, Vec2, WidgetInfo, pos2, vec2};
+use egui::{Align2, FontId, Rangef, Rect, Sense, Shape, Stroke, Ui, Vec2, WidgetInfo, pos2, vec2};
 
-use super::{Gallery, Session, look};
+use super::{Gallery, Session, look, picture};
 use crate::catalog::Catalog;
 use crate::worker::{Card, Tour};
 
@@ -10,6 +10,8 @@ use crate::worker::{Card, Tour};
 pub const SMALLEST: f32 = 36.0;
 const LARGEST: f32 = 110.0;
 const LABEL: f32 = 104.0;
+/// Between the last frame and the rim.
+const RIGHT: f32 = 12.0;
 const GAP: f32 = 6.0;
 const TOP: f32 = 8.0;
 const BOTTOM: f32 = 8.0;
@@ -19,6 +21,8 @@ pub struct Strips<'a> {
     pub session: &'a mut Session,
     pub gallery: &'a Gallery,
     pub frame: f32,
+    /// Where the first and the last frame have their middles, if there is a scrubber to be in line with.
+    pub rail: Option<Rangef>,
 }
 
 /// Height of so many strips \[points\].
@@ -26,16 +30,23 @@ pub fn height(strips: usize, frame: f32) -> f32 {
     8.0 + strips as f32 * (frame + GAP) - GAP + TOP + BOTTOM
 }
 
-/// Side of a frame for strips of so many frames that must fit here \[points\].
-pub fn fit(available: Vec2, strips: usize, frames: usize) -> f32 {
+/// Side of a frame for strips of so many frames that must fit here, in line with a rail that ends so far from the right rim
+/// if there is one \[points\].
+pub fn fit(available: Vec2, strips: usize, frames: usize, rail: Option<(Rangef, f32)>) -> f32 {
     let high = (available.y - height(strips, 0.0)) / strips as f32;
-    let wide = (available.x - LABEL - 24.0) / frames as f32;
+    let wide = match rail {
+        Some((rail, rim)) => {
+            let apart = rail.span() / frames.saturating_sub(1).max(1) as f32 - GAP / 2.0;
+            apart.min(2.0 * (rim - GAP / 2.0))
+        }
+        None => (available.x - LABEL - 2.0 * RIGHT) / frames as f32,
+    };
     high.min(wide).clamp(SMALLEST, LARGEST)
 }
 
 impl Strips<'_> {
     pub fn show(self, ui: &mut Ui) {
-        let Self { session, gallery, frame } = self;
+        let Self { session, gallery, frame, .. } = self;
         let count = session.methods.0.len();
         let tall = height(count, frame) - 8.0;
         let (area, _) = ui.allocate_exact_size(vec2(ui.available_width(), tall), Sense::hover());
@@ -48,8 +59,8 @@ impl Strips<'_> {
             look::card_stroke(&visuals),
             egui::StrokeKind::Inside,
         );
-        let first = area.left() + LABEL + frame / 2.0;
-        let last = area.right() - 12.0 - frame / 2.0;
+        let free = Rangef::new(area.left() + LABEL + frame / 2.0, area.right() - RIGHT - frame / 2.0);
+        let Rangef { min: first, max: last } = self.rail.unwrap_or(free);
         let (tour, ends) = (session.blend.tour(), session.blend.ends.len());
         let x = |place: f32| first + tour.share(place) * (last - first);
         // Behind the spheres, so that it hides none.
@@ -74,24 +85,14 @@ impl Strips<'_> {
                 let beyond = if is_outside { ", beyond the ends" } else { "" };
                 let label = format!("{title} at {t:.3}{beyond}");
                 point.widget_info(|| WidgetInfo::labeled(egui::Role::Button, true, &label));
-                match gallery.frame(Card::Method(method), step) {
-                    Some(texture) => {
-                        let whole = Rect::from_min_max(pos2(0.0, 0.0), pos2(1.0, 1.0));
-                        painter.image(texture.id(), rect, whole, Color32::WHITE);
-                    }
-                    None => {
-                        let quiet = visuals.weak_text_color().gamma_multiply(0.12);
-                        painter.circle_filled(rect.center(), 0.495 * frame, quiet);
-                    }
-                }
+                picture::ball(&painter, gallery.frame(Card::Method(method), step), rect, &visuals);
                 if is_outside {
                     let stroke = Stroke::new(2.0, visuals.warn_fg_color.gamma_multiply(0.7));
                     let line = [rect.left_bottom() + vec2(4.0, 2.0), rect.right_bottom() + vec2(-4.0, 2.0)];
                     painter.extend(Shape::dashed_line(&line, stroke, 5.0, 4.0));
                 }
                 if point.has_focus() {
-                    let stroke = Stroke::new(1.5, visuals.selection.stroke.color);
-                    painter.rect_stroke(rect, look::ROUND, stroke, egui::StrokeKind::Outside);
+                    look::ring(&painter, rect, egui::StrokeKind::Outside, &visuals);
                 }
                 if point.on_hover_text(label).clicked() {
                     chosen = Some(t);

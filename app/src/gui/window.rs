@@ -40,7 +40,8 @@ pub fn open(app: App, opening: Opening) -> eframe::Result {
     let options = NativeOptions {
         viewport,
         centered: true,
-        dithering: !app.is_filmed(),
+        // Displayed values are those that the pointer tells, and software draws faster without.
+        dithering: false,
         renderer: app.renderer.drawn_by(app.instead.is_some()),
         ..NativeOptions::default()
     };
@@ -91,6 +92,10 @@ impl eframe::App for Window {
         }
         let size = ui.ctx().content_rect().size();
         self.size = Some([size.x, size.y]);
+    }
+
+    fn clear_color(&self, visuals: &egui::Visuals) -> [f32; 4] {
+        visuals.panel_fill.to_normalized_gamma_f32()
     }
 
     fn on_exit(&mut self, _: Option<&eframe::glow::Context>) {

@@ -111,6 +111,21 @@ impl Point {
 pub const METRICS: [&str; 6] =
     ["studio_flip", "studio_delta_e_itp", "point_flip", "point_delta_e_itp", "log_error", "relative_log"];
 
+/// A metric of [`METRICS`] for people.
+pub fn title_of(metric: &str) -> String {
+    match metric.split_once('_') {
+        Some((light @ ("studio" | "point"), error)) => {
+            let error = match error {
+                "flip" => "FLIP",
+                "delta_e_itp" => "ΔE_ITP",
+                other => other,
+            };
+            format!("{error}, {light} light")
+        }
+        _ => metric.to_owned(),
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -1,6 +1,8 @@
 //! What took time to make and can be made again: thumbnails, properties and fitted networks, in files named by what they
 //! were made from.
 
+mod prune;
+
 use std::path::PathBuf;
 use std::sync::OnceLock;
 
@@ -33,6 +35,8 @@ pub(super) enum Kind {
 }
 
 impl Kind {
+    const ALL: [Self; 4] = [Self::Thumbnail, Self::Qualities, Self::Error, Self::Network];
+
     const fn extension(self) -> &'static str {
         match self {
             Self::Thumbnail => "thumbnail",
@@ -54,7 +58,9 @@ impl Cache {
 
     /// What is kept under a key; a damaged file is none.
     pub(super) fn get(&self, kind: Kind, key: &str) -> Option<Vec<u8>> {
-        let mut bytes = bounded::read(&self.file(kind, key)?, MOST_BYTES).ok()??;
+        let file = self.file(kind, key)?;
+        let mut bytes = bounded::read(&file, MOST_BYTES).ok()??;
+        prune::touch(&file);
         let checksum = bytes.get(..CHECKSUM)?.to_owned();
         bytes.drain(..CHECKSUM);
         (sha256(&bytes).as_bytes() == checksum).then_some(bytes)

@@ -5,7 +5,7 @@
 
 use std::collections::{BTreeMap, HashMap};
 use std::sync::Arc;
-use std::time::Instant;
+use std::time::{Duration, Instant};
 
 use anyhow::Result;
 use nbrdf_core::cost::{Given, Track};
@@ -21,6 +21,11 @@ use crate::measure::times::Times;
 const MATERIALS: usize = 4;
 /// Repeats whose median counts.
 const REPEATS: usize = 9;
+
+/// Materials kept; beyond, all of them are measured anew, so this only bounds a long day's work.
+const KEPT: usize = 64;
+/// How long other threads are waited for before a model is timed: a fit may take minutes.
+const PATIENCE: Duration = Duration::from_secs(1);
 
 /// How far the chart has come.
 #[derive(Clone, Debug, Default)]
@@ -40,6 +45,8 @@ pub struct Rival {
     pub point: Point,
     /// Of each material on the screen: its name and its errors by metric.
     pub own: Vec<(String, BTreeMap<String, f64>)>,
+    /// Whether other threads worked while it was timed, in spite of waiting for them.
+    pub is_disturbed: bool,
 }
 
 /// One material in one representation.
@@ -48,6 +55,7 @@ struct Measured {
     times: Times,
     bytes: usize,
     figures: BTreeMap<String, f64>,
+    is_disturbed: bool,
 }
 
 /// The thread's memory.
@@ -56,6 +64,7 @@ struct Bench {
     targets: HashMap<String, Target>,
     /// By place in the catalog and name of the material: each is measured once.
     measured: HashMap<(usize, String), Measured>,
+    arrivals: u64,
 }
 
 /// Makes a chart whenever one is asked for, until the mailbox closes.
@@ -65,6 +74,7 @@ pub(super) fn run(office: &Office) {
         let mut news = ChartNews { count: REPRESENTATIONS.len(), ..ChartNews::default() };
         // Nothing is asked for by whoever wants it to stop.
         let Some(names) = asked else { continue };
+        bench.make_room(office);
         for (place, entry) in REPRESENTATIONS.iter().enumerate() {
             if office.charts.has_news() {
                 break;
@@ -83,6 +93,14 @@ pub(super) fn run(office: &Office) {
 }
 
 impl Bench {
+    /// Forgets everything once it is too much, or a name may mean another material.
+    fn make_room(&mut self, office: &Office) {
+        let arrivals = office.arrivals();
+        if self.arrivals != arrivals || self.targets.len() > KEPT {
+            *self = Self { arrivals, ..Self::default() };
+        }
+    }
+
     /// One model; none if it was stopped.
     fn rival(
         &mut self,
@@ -95,11 +113,12 @@ impl Bench {
         let held_out = catalog.reference().of(Database::Merl, Split::HeldOut);
         let chosen = held_out.iter().step_by(held_out.len().div_ceil(MATERIALS).max(1));
         let mut measured = Vec::new();
+        office.activity.rests(PATIENCE, || office.charts.has_news());
         for material in chosen {
             if office.charts.has_news() {
                 return Ok(None);
             }
-            measured.push(self.measure(place, representation.as_ref(), material)?);
+            measured.push(self.measure(office, (place, representation.as_ref()), material)?);
         }
         let mut own = Vec::new();
         for material in names.iter().filter_map(|name| office.material(name)) {
@@ -107,27 +126,37 @@ impl Bench {
                 return Ok(None);
             }
             // A material that this model cannot hold has no mark.
-            if let Ok(found) = self.measure(place, representation.as_ref(), &material) {
+            if let Ok(found) = self.measure(office, (place, representation.as_ref()), &material) {
                 own.push((material.name, found.figures));
             }
         }
-        Ok(point(entry, representation.as_ref(), &measured).map(|point| Rival { point, own }))
+        let is_disturbed = measured.iter().any(|own| own.is_disturbed);
+        Ok(point(entry, representation.as_ref(), &measured).map(|point| Rival { point, own, is_disturbed }))
     }
 
-    fn measure(&mut self, place: usize, model: &dyn Representation, material: &Material) -> Result<Measured> {
+    fn measure(
+        &mut self,
+        office: &Office,
+        (place, model): (usize, &dyn Representation),
+        material: &Material,
+    ) -> Result<Measured> {
         let key = (place, material.name.clone());
         if let Some(known) = self.measured.get(&key) {
             return Ok(known.clone());
         }
+        let is_quiet = || office.activity.rests(Duration::ZERO, || true);
+        let was_quiet = is_quiet();
         let start = Instant::now();
         let code = model.encode(material)?;
         let encode_s = start.elapsed().as_secs_f64();
         let decoded = model.decode(&code)?;
         let cost = Track::new(0).measure(&[(decoded.as_ref(), Given::Directions)], REPEATS)[0];
+        let is_disturbed = !was_quiet || !is_quiet();
         let target = self.targets.entry(material.name.clone()).or_insert_with(|| Target::new(material.brdf.as_ref()));
         let mut figures = target.figures(decoded.as_ref());
         figures.retain(|key, _| METRICS.contains(&key.as_str()));
-        let found = Measured { times: Times::of(cost, encode_s), bytes: model.bytes_of(&code), figures };
+        let (times, bytes) = (Times::of(cost, encode_s), model.bytes_of(&code));
+        let found = Measured { times, bytes, figures, is_disturbed };
         self.measured.insert(key, found.clone());
         Ok(found)
     }

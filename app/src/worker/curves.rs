@@ -37,12 +37,18 @@ struct Subject {
 struct Clerk {
     walks: Walks,
     prices: Prices,
+    arrivals: u64,
 }
 
 /// Answers the newest question until the mailbox closes.
 pub(super) fn run(office: &Office) {
     let mut clerk = Clerk::default();
     while let Some(question) = office.questions.take() {
+        let _busy = office.activity.begin();
+        let arrivals = office.arrivals();
+        if clerk.arrivals != arrivals {
+            clerk = Clerk { arrivals, ..Clerk::default() };
+        }
         if let Err(why) = guarded("The figure", || clerk.answer(office, &question)).flatten() {
             say(office, &question, 0, true, Found::Nothing(why));
         }

@@ -2,6 +2,7 @@
 //! the code is added to the new one, and the true edit follows.
 
 use std::collections::HashMap;
+use std::sync::atomic::Ordering;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 use nbrdf_core::axis::Axis;
@@ -58,14 +59,20 @@ impl Found {
 /// Edits what is wanted until the mailbox closes.
 pub(super) fn run(office: &Office) {
     while let Some(wanted) = office.changes.take() {
+        let _busy = office.activity.begin();
         // What is only measured waits until t rests: pictures come first.
         let is_moved = wanted.iter().any(|want| is_edit(&want.edits));
-        if !is_moved && !office.changes.stays_quiet(QUIET) {
+        let is_measured = office.is_measured.load(Ordering::Relaxed);
+        let is_due = is_moved || is_measured && office.changes.stays_quiet(QUIET);
+        if !is_due {
             continue;
         }
         for want in wanted {
             let is_found = office.found.exact(&want).is_some();
-            let Some(editor) = office.editor().filter(|_| !is_found) else { continue };
+            if is_found {
+                continue;
+            }
+            let Some(editor) = office.editor().filter(|editor| editor.knows(&want.code)) else { continue };
             let amounts = || Axis::ALL.into_iter().zip(want.edits.map(f64::from));
             let edited = guarded("Editing", || editor.edit(&want.code, amounts()).map_err(|error| error.to_string()));
             let numbers = match edited.and_then(|edited| edited) {
@@ -108,7 +115,7 @@ impl Want {
 
 impl Studio {
     /// Edits the point of a card, where its path walks through codes that can be; the code that it shows then. What is
-    /// not known yet is added to `wanted`.
+    /// shown is added to `wanted`: it may have to be edited, or measured by and by.
     pub fn edit(
         &mut self,
         card: Card,
@@ -118,7 +125,10 @@ impl Studio {
         wanted: &mut Vec<Want>,
     ) -> Result<Option<Arc<[f32]>>, String> {
         let is_edit = walk.is_edit();
-        if !is_edit && !walk.is_measured {
+        if !is_edit {
+            // Pictures do not need it.
+            let code = path.code(weights).ok().flatten();
+            wanted.extend(code.map(|code| Want { card, code, edits: walk.edits }));
             return Ok(None);
         }
         let code = path.code(weights).map_err(|error| error.to_string())?;
@@ -126,14 +136,11 @@ impl Studio {
         let Some(code) = code.filter(|code| editor.knows(code)) else { return Ok(None) };
         let want = Want { card, code, edits: walk.edits };
         let (numbers, is_exact) = want.known(&self.office.found);
-        let point = is_edit.then(|| decoded(editor, &numbers)).transpose();
-        if !is_exact {
-            wanted.push(want);
-        }
+        let point = decoded(editor, &numbers);
+        wanted.push(want);
         // Where the estimate is no material, the true edit is waited for.
         match point {
-            Ok(None) => Ok(None),
-            Ok(Some(point)) => {
+            Ok(point) => {
                 self.put(card, point);
                 Ok(Some(numbers))
             }

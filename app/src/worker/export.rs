@@ -72,7 +72,8 @@ pub(super) struct Exporter {
 /// Follows one order after the other until nobody can give any.
 pub(super) fn run(office: Office, stop: Arc<AtomicBool>, orders: &mpsc::Receiver<Order>) {
     let exporter = Exporter { office, stop };
-    for order in orders {
+    for order in orders.iter().take_while(|_| !exporter.office.activity.is_over()) {
+        let _busy = exporter.office.activity.begin();
         let news = match order {
             Order::Look(asked) => {
                 let there = asked.iter().filter(|path| path.symlink_metadata().is_ok()).cloned().collect();
@@ -120,7 +121,7 @@ impl Exporter {
     fn make(&self, job: &Job) -> Result<Made> {
         match job.goods {
             Goods::Material { card, form } => self.material(job, card, form),
-            Goods::Steps { method, form, steps } => self.steps(job, method, form, steps).map(Made::of_many),
+            Goods::Steps { method, form, steps } => self.steps(job, method, form, steps),
             Goods::Picture { card, form, size } => self.picture(job, card, form, size.into()),
             Goods::Strip { form, size, steps } => self.strip(job, form, size.into(), steps).map(Made::of_many),
             Goods::Curve { steps } => self.curve(job, steps).map(Made::of_many),

@@ -1,8 +1,10 @@
 //! The thread that reads files of every kind: networks, libraries, codes and maps at once; measurements are handed on to
 //! be fitted.
 
+mod list;
+
 use std::path::{Path, PathBuf};
-use std::sync::{Arc, PoisonError, mpsc};
+use std::sync::{Arc, mpsc};
 
 use nbrdf_core::library::is_name;
 use nbrdf_core::measured::{self, is_measured};
@@ -13,10 +15,11 @@ use nbrdf_core::{Library, Material, bounded};
 
 use super::cache::{self, Kind};
 use super::fits::Fits;
-use super::{Answer, Map, Office, Solid, guarded};
+use super::office::Office;
+use super::opened::Opened;
+use super::{Answer, PastedCode, guarded};
 use crate::fitted::Fitted;
-use crate::material::{decoded, parse_code, read_code};
-use crate::measure::guard;
+use crate::material::{decoded, read_code};
 
 /// Measurements beyond this size \[bytes\] are fitted anew at every start.
 const MOST_BYTES: u64 = 1 << 30;
@@ -25,8 +28,8 @@ const MOST_BYTES: u64 = 1 << 30;
 pub(super) enum Letter {
     /// A file that the user wants to see.
     Open(PathBuf),
-    /// Those of the last session.
-    Reopen(Vec<PathBuf>),
+    /// Those of the last session, and its codes.
+    Reopen(Vec<PathBuf>, Vec<PastedCode>),
     /// A code as text, which came from no file.
     Paste(String),
 }
@@ -36,30 +39,47 @@ pub(super) enum Letter {
 pub(super) struct Desk {
     pub office: Office,
     pub fits: Arc<Fits>,
+    pub opened: Opened,
     pub thumbnails: mpsc::Sender<Vec<Material>>,
 }
 
 /// Reads files as they come.
 pub(super) fn run(desk: &Desk, letters: &mpsc::Receiver<Letter>) {
-    for letter in letters {
+    for letter in letters.iter().take_while(|_| !desk.office.activity.is_over()) {
+        let _busy = desk.office.activity.begin();
         match letter {
             Letter::Open(path) => desk.open(path, false),
-            Letter::Reopen(paths) => {
-                paths.into_iter().for_each(|path| desk.open(path, true));
+            Letter::Reopen(paths, codes) => {
+                // First: their names in the list are known, and are still free.
+                codes.into_iter().for_each(|code| desk.paste_again(code));
+                let wanted = paths.into_iter().take_while(|_| !desk.office.activity.is_over());
+                wanted.for_each(|path| desk.reopen(path));
                 desk.office.say(Answer::Reopened);
             }
-            Letter::Paste(text) => match guarded("Reading the code", || desk.paste(&text)) {
-                Ok(Ok(())) => {}
-                Ok(Err(why)) | Err(why) => desk.office.say(Answer::Notice(why)),
-            },
+            Letter::Paste(text) => desk.paste(text),
         }
     }
 }
 
 impl Desk {
+    /// A file of the last session. One that is missing stays with it: its disk may be plugged in at the next start.
+    fn reopen(&self, path: PathBuf) {
+        if path.exists() {
+            return self.open(path, true);
+        }
+        let why = "it was open when the last session ended, and is missing now";
+        let advice = "It is looked for at the next start again, unless it is opened once while it is missing";
+        self.office.say(Answer::Notice(format!("{}: {why}. {advice}", path.display())));
+    }
+
     fn open(&self, path: PathBuf, is_again: bool) {
+        let path = self.opened.path(path);
         match guarded("Reading the file", || self.read(&path, is_again)) {
             Ok(Ok(())) => {}
+            Ok(Err(why)) | Err(why) if is_again => {
+                // It may be on its way: half a copy, a disk that is not ready.
+                self.office.say(Answer::Notice(format!("{why}. It is looked for at the next start again")));
+            }
             Ok(Err(why)) | Err(why) => self.lose(path, why),
         }
     }
@@ -76,10 +96,10 @@ impl Desk {
             return Err(format!("{}: expected a file or a folder, found none: check the path", path.display()));
         }
         if is("hdr") || is("exr") {
-            return self.surround(path, is_again);
+            return self.map(path, is_again);
         }
         if Mesh::ENDINGS.iter().any(|ending| is(ending)) {
-            return self.solid(path, is_again);
+            return self.mesh(path, is_again);
         }
         if is_measured(path) {
             return self.measured(path);
@@ -91,23 +111,23 @@ impl Desk {
         Ok(())
     }
 
-    fn surround(&self, path: &Path, is_again: bool) -> Result<(), String> {
+    fn map(&self, path: &Path, is_again: bool) -> Result<(), String> {
         let environment = Environment::load(path).map_err(|error| error.to_string())?;
-        let name = path.file_stem().map_or_else(String::new, |stem| stem.to_string_lossy().into_owned());
-        let (names, place) = self.office.surround_with(Map { name, file: Some(path.to_owned()), environment });
-        self.office.say(if is_again { Answer::Maps(names) } else { Answer::Surround(names, place) });
-        // Where it was read before, the same request is now for another picture.
+        let map = self.office.maps.put(path, environment);
+        self.office.say(Answer::Maps(self.office.maps.listed(), (!is_again).then_some(map)));
+        // The same request may now be for another picture.
+        self.office.arrive();
         self.office.requests.again();
         self.office.say(Answer::Kept(path.to_owned(), Vec::new()));
         Ok(())
     }
 
-    fn solid(&self, path: &Path, is_again: bool) -> Result<(), String> {
+    fn mesh(&self, path: &Path, is_again: bool) -> Result<(), String> {
         let mesh = Mesh::load(path).map_err(|error| error.to_string())?;
-        let name = path.file_stem().map_or_else(String::new, |stem| stem.to_string_lossy().into_owned());
-        let (names, place) = self.office.show_on(Solid { name, file: Some(path.to_owned()), mesh });
-        self.office.say(if is_again { Answer::Solids(names) } else { Answer::Solid(names, place) });
+        let mesh = self.office.meshes.put(path, mesh);
+        self.office.say(Answer::Meshes(self.office.meshes.listed(), (!is_again).then_some(mesh)));
         // As of maps; and other surfaces are at a point.
+        self.office.arrive();
         self.office.requests.again();
         self.office.points.again();
         self.office.say(Answer::Kept(path.to_owned(), Vec::new()));
@@ -121,14 +141,6 @@ impl Desk {
         let is_named = item.code.is_some_and(|code| code.material.is_some());
         let name = if is_named { item.material.name } else { name_of(path)? };
         Ok(vec![Material { name, ..item.material }])
-    }
-
-    /// The material of a code on the clipboard.
-    fn paste(&self, text: &str) -> Result<(), String> {
-        let code = parse_code("clipboard", text.as_bytes()).map_err(|error| format!("{error:#}"))?;
-        let item = decoded(&self.office.stock.catalog, code, "clipboard").map_err(|error| format!("{error:#}"))?;
-        self.list("pasted", vec![item.material]);
-        Ok(())
     }
 
     /// A measurement: fitted before, or to be fitted.
@@ -153,53 +165,6 @@ impl Desk {
         let form = path.extension().unwrap_or_default().as_encoded_bytes();
         let bytes = bounded::read(path, MOST_BYTES).map_err(told)?;
         Ok(bytes.map(|bytes| cache::key(&[&bytes, form, &steps])))
-    }
-
-    /// Puts materials of a file into the list.
-    pub fn add(&self, path: &Path, materials: Vec<Material>) {
-        let names = self.list(&measured::name_of(path), materials);
-        self.office.say(Answer::Kept(path.to_owned(), names));
-    }
-
-    /// Puts materials into the list; the names they have there.
-    fn list(&self, origin: &str, mut materials: Vec<Material>) -> Vec<String> {
-        let office = &self.office;
-        let mut shelf = office.materials.write().unwrap_or_else(PoisonError::into_inner);
-        for material in &mut materials {
-            // Two files may hold a material of one name; both stay.
-            let (name, mut copy) = (material.name.clone(), 1);
-            while shelf.iter().any(|known| known.name == material.name) {
-                material.name =
-                    if copy == 1 { format!("{name} ({origin})") } else { format!("{name} ({origin} {copy})") };
-                copy += 1;
-            }
-            shelf.push(material.clone());
-        }
-        drop(shelf);
-        let names: Vec<String> = materials.iter().map(|material| material.name.clone()).collect();
-        office.say(Answer::Opened(names.clone()));
-        // Spheres may have waited for it since the start.
-        if office.requests.newest().is_some_and(|(_, request)| request.ends.iter().any(|end| names.contains(end))) {
-            office.requests.again();
-            office.points.again();
-            office.questions.again();
-        }
-        office.inquiries.again();
-        office.map_requests.again();
-        // The thread ends only with the process.
-        let _ = self.thumbnails.send(materials.clone());
-        self.warn(&materials);
-        names
-    }
-
-    /// What is odd about materials that were opened.
-    fn warn(&self, materials: &[Material]) {
-        for Material { name, brdf, .. } in materials {
-            let brdf = brdf.as_ref();
-            let said = || guard::of_result(brdf).chain(guard::of_source(brdf)).collect();
-            let warnings: Vec<_> = guarded(name, said).unwrap_or_default();
-            warnings.into_iter().for_each(|warning| self.office.say(Answer::Notice(format!("{name}: {warning}"))));
-        }
     }
 }
 

@@ -108,7 +108,9 @@ impl Films {
         let start = Instant::now();
         // A picture that is not finished is none of anything.
         film.shows = None;
-        guarded("Rendering", || sphere.render_into(point, &mut film.image))?;
+        if !guarded("Rendering", || sphere.render_into_unless(stops, point, &mut film.image))? {
+            return Ok(false);
+        }
         film.shows = Some((subject.clone(), set.scenery));
         self.pace = 0.8 * self.pace + 0.2 * start.elapsed().as_secs_f64() / work(size, set.light);
         Ok(true)

@@ -26,6 +26,7 @@ const PATIENCE: Duration = Duration::from_millis(100);
 pub(super) fn run(desk: &Desk) {
     let office = &desk.office;
     while let Some(task) = desk.fits.next() {
+        let _busy = office.activity.begin();
         let done = guarded("Fitting", || fit(desk, &task)).flatten();
         // Who cancelled it has been told.
         let is_wanted = desk.fits.remove(task.number).is_some();

@@ -27,7 +27,7 @@ pub(super) struct Here<'a> {
 impl Request {
     /// What a method's path between the ends is prepared from.
     pub(super) fn key(&self, method: &'static str) -> Key {
-        Key { ends: Arc::clone(&self.ends), method, timing: self.timing }
+        Key::new(&self.ends, method, self.timing)
     }
 
     /// Where a method is.
@@ -52,9 +52,16 @@ impl Office {
     /// # Errors
     /// If there is no such point, or its edited code is no material.
     pub(super) fn here(&self, path: &dyn Path, method: &'static str, request: &Request) -> Result<Shown> {
-        let here = request.here(method);
-        let (code, want) = self.wanted(path, &here)?;
-        let Some((want, editor)) = want else { return self.plain(path, &here, code) };
+        self.exact(path, &request.here(method))
+    }
+
+    /// The same at any place.
+    ///
+    /// # Errors
+    /// As [`here`](Self::here).
+    pub(super) fn exact(&self, path: &dyn Path, here: &Here) -> Result<Shown> {
+        let (code, want) = self.wanted(path, here)?;
+        let Some((want, editor)) = want else { return self.plain(path, here, code) };
         // An edit that failed left the code as it was; it is tried again, so that the reason is told.
         let known = self.found.exact(&want).filter(|numbers| **numbers != *want.code.code);
         let model = editor.model();
@@ -85,6 +92,11 @@ impl Office {
             // The true edit is waited for.
             Err(_) => self.plain(path, here, code),
         }
+    }
+
+    /// Whether edits apply to a path, as they do where it walks through codes of the editor's model.
+    pub(super) fn is_edited(&self, path: &dyn Path, here: &Here) -> bool {
+        here.walk.is_edit() && matches!(self.wanted(path, here), Ok((_, Some(_))))
     }
 
     /// The code of a place, and what is to be edited there, with what.

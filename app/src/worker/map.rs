@@ -5,14 +5,16 @@
 
 mod chart;
 mod course;
+mod encode;
 mod encoded;
 mod explored;
+mod failures;
 mod sheet;
 
 use std::collections::{HashMap, HashSet};
-use std::sync::{Arc, PoisonError};
+use std::sync::Arc;
 
-use nbrdf_core::{Material, Weights};
+use nbrdf_core::{Brdf, Weights};
 use rayon::prelude::*;
 
 pub use chart::Projection;
@@ -24,12 +26,10 @@ pub(super) use sheet::Sheets;
 use chart::Chart;
 use course::Courses;
 use encoded::Encoded;
+use failures::Failures;
 use sheet::Sheet;
 
 use super::{Answer, Office, Timing, Walk, guarded};
-
-/// Materials encoded between two looks at the mailbox.
-const BATCH: usize = 8;
 
 /// What is to be on the map.
 #[derive(Clone, Debug, PartialEq)]
@@ -67,8 +67,12 @@ pub enum MapAnswer {
 struct Cartographer<'a> {
     office: &'a Office,
     encoded: Vec<Encoded>,
-    /// Names of the materials that were encoded, or failed.
-    tried: HashSet<String>,
+    /// The materials that were encoded, or failed, by name.
+    tried: HashMap<String, Arc<dyn Brdf>>,
+    /// Counts changes of the codes.
+    edition: u64,
+    failures: Failures,
+    arrivals: u64,
     charts: HashMap<Projection, Chart>,
     /// Places of the encoded materials, as far as they are known; none of those that cannot be placed.
     places: HashMap<Projection, Vec<Option<[f32; 2]>>>,
@@ -81,13 +85,17 @@ pub(super) fn run(office: &Office) {
     let mut cartographer = Cartographer {
         office,
         encoded: Vec::new(),
-        tried: HashSet::new(),
+        tried: HashMap::new(),
+        edition: 0,
+        failures: Failures::default(),
+        arrivals: 0,
         charts: HashMap::new(),
         places: HashMap::new(),
         courses: Courses::default(),
         told: HashSet::new(),
     };
     while let Some(request) = office.map_requests.take() {
+        let _busy = office.activity.begin();
         let drawn = guarded("The latent map", || cartographer.draw(&request));
         if let Ok(Err(why)) | Err(why) = drawn {
             cartographer.tell(why);
@@ -117,42 +125,20 @@ impl Cartographer<'_> {
         Ok(())
     }
 
-    /// Encodes materials that are new; false where something else was asked for meanwhile.
-    fn encode(&mut self) -> bool {
-        let (missing, all): (Vec<Material>, usize) = {
-            let known = self.office.materials.read().unwrap_or_else(PoisonError::into_inner);
-            (known.iter().filter(|own| !self.tried.contains(&own.name)).cloned().collect(), known.len())
-        };
-        for batch in missing.chunks(BATCH) {
-            self.say(MapAnswer::Doing(Some(format!("Encoding materials: {} of {all}", self.tried.len()))));
-            let catalog = &self.office.stock.catalog;
-            let of = |own: &Material| match guarded("Encoding", || Encoded::of(own, catalog)) {
-                Ok(Ok(encoded)) => Ok(encoded),
-                Ok(Err(error)) => Err(format!("{} is not on the map: {error:#}", own.name)),
-                Err(panic) => Err(format!("{} is not on the map: {panic}", own.name)),
-            };
-            let found: Vec<_> = batch.par_iter().map(of).collect();
-            self.tried.extend(batch.iter().map(|own| own.name.clone()));
-            for encoded in found {
-                match encoded {
-                    Ok(encoded) => self.encoded.push(encoded),
-                    Err(why) => self.tell(why),
-                }
-            }
-            // After a batch, so that something is done however fast requests come.
-            if self.office.map_requests.has_news() {
-                return false;
-            }
-        }
-        true
-    }
-
     /// Learns a map, if it is new, and finds places for the materials that have none yet.
     fn place(&mut self, projection: Projection) -> Result<(), String> {
         if !self.charts.contains_key(&projection) {
-            self.say(MapAnswer::Doing(Some(format!("{}: learning the map", projection.title()))));
-            let chart = Chart::learn(projection, &self.office.stock.catalog, &self.encoded);
-            self.charts.insert(projection, chart.map_err(|error| format!("{}: {error:#}", projection.title()))?);
+            let (office, encoded) = (self.office, &self.encoded);
+            let learn = || {
+                let title = projection.title();
+                office.say(Answer::Map(MapAnswer::Doing(Some(format!("{title}: learning the map")))));
+                let learned = guarded(title, || Chart::learn(projection, &office.stock.catalog, encoded))?;
+                learned.map_err(|error| format!("{title}: {error:#}"))
+            };
+            // Charting learns from the catalog, which stays as it is.
+            let edition = if projection == Projection::Pca { self.edition } else { 0 };
+            let chart = self.failures.unless_known(projection, edition, learn)?;
+            self.charts.insert(projection, chart);
         }
         let Some(chart) = self.charts.get(&projection) else { return Ok(()) };
         let before = self.places.get(&projection).map_or(0, Vec::len);

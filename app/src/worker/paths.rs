@@ -22,6 +22,13 @@ pub struct Key {
     pub timing: Timing,
 }
 
+impl Key {
+    /// Of a method's path between these ends.
+    pub fn new(ends: &Arc<[String]>, method: &'static str, timing: Timing) -> Self {
+        Self { ends: Arc::clone(ends), method, timing }
+    }
+}
+
 /// Paths kept at most; they are small, so this only bounds a long day's work.
 const KEPT: usize = 256;
 
@@ -56,9 +63,13 @@ impl Paths {
         clocks.get(key).map_or_else(|| plain.clone(), |clock| Weights::along_spline(clock.set(t), key.ends.len()))
     }
 
-    /// Keeps a path.
-    pub fn insert(&self, key: Key, prepared: Prepared, clock: Option<Clock>) {
+    /// Keeps a path, unless its materials may be others by now.
+    fn insert(&self, key: Key, prepared: Prepared, clock: Option<Clock>, is_still: impl Fn() -> bool) {
         let mut paths = self.lock();
+        // Under the lock: whoever changes materials says so before asking to forget their paths.
+        if !is_still() {
+            return;
+        }
         let mut clocks = self.clocks.lock().unwrap_or_else(PoisonError::into_inner);
         if paths.len() >= KEPT {
             paths.clear();
@@ -66,6 +77,13 @@ impl Paths {
         }
         clocks.extend(clock.map(|clock| (key.clone(), clock)));
         paths.insert(key, prepared);
+    }
+
+    /// Forgets the paths between materials that are others now.
+    pub fn forget(&self, names: &[String]) {
+        let is_true = |key: &Key| !key.ends.iter().any(|end| names.contains(end));
+        self.lock().retain(|key, _| is_true(key));
+        self.clocks.lock().unwrap_or_else(PoisonError::into_inner).retain(|key, _| is_true(key));
     }
 
     fn lock(&self) -> MutexGuard<'_, HashMap<Key, Prepared>> {
@@ -76,23 +94,29 @@ impl Paths {
 /// Prepares what is wanted until the mailbox closes.
 pub(super) fn run(office: &Office) {
     while let Some(wanted) = office.wants.take() {
+        let _busy = office.activity.begin();
         for key in wanted {
             if office.paths.get(&key).is_some() {
                 // Somebody else made it, after it was missed.
                 office.ring();
                 continue;
             }
-            let title = title(key.method);
+            let (title, arrivals) = (title(key.method), office.arrivals());
             office.say(Answer::Preparing(Some(title)));
             let (prepared, clock) = match guarded(title, || prepare(office, &key)) {
                 Ok(Ok((path, clock))) => (Prepared::Ready(path), clock),
                 Ok(Err(error)) => (Prepared::Failed(format!("{title}: {error:#}")), None),
                 Err(panic) => (Prepared::Failed(panic), None),
             };
+            if office.arrivals() != arrivals {
+                // An end may be another by now; whoever wants the path asks for it again.
+                office.ring();
+                continue;
+            }
             if let Prepared::Failed(why) = &prepared {
                 office.say(Answer::Notice(why.clone()));
             }
-            office.keep(key, prepared, clock);
+            office.keep(key, prepared, clock, arrivals);
             if office.wants.has_news() {
                 break;
             }
@@ -102,9 +126,9 @@ pub(super) fn run(office: &Office) {
 }
 
 impl Office {
-    /// Keeps a path, and tells everybody who may have waited for it.
-    pub(super) fn keep(&self, key: Key, prepared: Prepared, clock: Option<Clock>) {
-        self.paths.insert(key, prepared, clock);
+    /// Keeps a path that was begun after so many [arrivals](Self::arrivals), and tells everybody who may have waited for it.
+    pub(super) fn keep(&self, key: Key, prepared: Prepared, clock: Option<Clock>, arrivals: u64) {
+        self.paths.insert(key, prepared, clock, || self.arrivals() == arrivals);
         self.ring();
     }
 

@@ -111,6 +111,7 @@ impl Points {
 pub(super) fn run(office: &Office) {
     while let Some(probe) = office.points.letters.take() {
         let Some(probe) = probe else { continue };
+        let _busy = office.activity.begin();
         match guarded("The point", || look(office, &probe)) {
             Ok(point) => office.say(Answer::Point(point)),
             Err(why) => office.say(Answer::Notice(why)),

@@ -1,11 +1,11 @@
 //! The thread that measures what lists are sorted by, of every material, once somebody asks.
 
-use std::collections::HashSet;
-use std::sync::PoisonError;
+use std::collections::HashMap;
+use std::sync::Arc;
 
 use nbrdf_core::metric::log_error_estimate;
 use nbrdf_core::quality::Qualities;
-use nbrdf_core::{Material, Representation};
+use nbrdf_core::{Brdf, Material, Representation};
 
 use super::cache::{self, Kind};
 use super::{Answer, Office, guarded};
@@ -33,14 +33,16 @@ pub enum Property {
 
 /// Answers the newest inquiry until the mailbox closes.
 pub(super) fn run(office: &Office) {
-    let mut known = HashSet::new();
+    let mut known: HashMap<(Inquiry, String), Arc<dyn Brdf>> = HashMap::new();
     while let Some(inquiry) = office.inquiries.take() {
-        let materials = office.materials.read().unwrap_or_else(PoisonError::into_inner).clone();
-        for material in materials {
+        let _busy = office.activity.begin();
+        for material in office.materials.all() {
             if office.inquiries.has_news() {
                 break;
             }
-            if !known.insert((inquiry, material.name.clone())) {
+            let before = known.insert((inquiry, material.name.clone()), Arc::clone(&material.brdf));
+            // A file that was read again may hold another one of this name.
+            if before.is_some_and(|before| Arc::ptr_eq(&before, &material.brdf)) {
                 continue;
             }
             let found = guarded(&material.name, || property(office, inquiry, &material));

@@ -8,7 +8,7 @@ use nbrdf_core::{Vec3, Weights};
 use serde::{Deserialize, Serialize};
 
 use super::picture::Showing;
-use super::{Card, Explored, Walk};
+use super::{Asset, Card, Explored, Walk};
 
 /// What is to be shown.
 #[derive(Clone, Debug, PartialEq)]
@@ -118,8 +118,8 @@ pub enum Shape {
     Sphere,
     /// A ground, seen aslant.
     Plane,
-    /// The mesh in this place of the list; 0 is the built-in one.
-    Mesh(usize),
+    /// A mesh; the built-in one while its file is missing.
+    Mesh(Asset),
 }
 
 /// The light the spheres stand in.
@@ -131,8 +131,8 @@ pub enum Lighting {
     Point(Vec3),
     /// A map all around, sample after sample.
     Around {
-        /// Its place in the list of maps; 0 is the built-in one.
-        map: usize,
+        /// Which map; the built-in one while its file is missing.
+        map: Asset,
         /// How far it is turned about the vertical axis \[rad\].
         turn: f32,
     },

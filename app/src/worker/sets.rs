@@ -116,13 +116,13 @@ mod tests {
     use nbrdf_core::scene::Mesh;
 
     use super::*;
-    use crate::worker::{Lighting, Shape};
+    use crate::worker::{Asset, Lighting, Shape};
 
     #[test]
     fn while_the_lamp_moves_what_pixels_see_stays() {
         let (mut sets, model) = (Sets::default(), Model::Mesh(Arc::new(Mesh::knot())));
         let mut sight = |direction: Vec3| {
-            let scenery = Scenery { shape: Shape::Mesh(0), ..Scenery::of(Lighting::Point(direction)) };
+            let scenery = Scenery { shape: Shape::Mesh(Asset::BuiltIn), ..Scenery::of(Lighting::Point(direction)) };
             let light = Light::directional(direction);
             let set = Set { scenery, light: &light, model: &model };
             let sphere = sets.sphere(set, 16, &|| false).unwrap();
@@ -137,7 +137,7 @@ mod tests {
     #[test]
     fn a_mesh_in_the_place_of_another_is_lit_anew() {
         let (mut sets, light) = (Sets::default(), Light::studio());
-        let scenery = Scenery { shape: Shape::Mesh(0), ..Scenery::of(Lighting::Studio) };
+        let scenery = Scenery { shape: Shape::Mesh(Asset::BuiltIn), ..Scenery::of(Lighting::Studio) };
         for _ in 0..2 {
             let model = Model::Mesh(Arc::new(Mesh::knot()));
             let sphere = sets.sphere(Set { scenery, light: &light, model: &model }, 16, &|| false).unwrap();

@@ -2,17 +2,17 @@
 
 use std::collections::{HashMap, HashSet};
 use std::sync::Arc;
-use std::sync::atomic::Ordering;
 use std::time::Duration;
 
 use nbrdf_core::path::mix::{Mix, Mixed};
 use nbrdf_core::{Brdf, Path, Weights};
 
+use super::edits::Want;
 use super::figures::Seen;
 use super::films::{Films, Set, Subject};
 use super::paths::Prepared;
 use super::spheres::Sent;
-use super::strips::Strip;
+use super::strips::{Reel, Strip};
 use super::surround::Lobes;
 use super::{Answer, Card, Office, Request, guarded};
 
@@ -30,12 +30,13 @@ pub(super) struct Studio {
     /// What the window has of every card.
     pub sent: HashMap<Card, Sent>,
     pub strips: HashMap<Card, Strip>,
+    /// Edited points of the film strips.
+    pub reels: HashMap<Card, Reel>,
     pub seen: Vec<Seen>,
     /// What the user was told about these ends; nobody wants to dismiss it twice.
     told: (Arc<[String]>, HashSet<String>),
     pub lobes: Lobes,
-    /// Maps and meshes that were there at the last look.
-    arrived: u64,
+    arrivals: u64,
 }
 
 /// Renders the newest request until the mailbox closes.
@@ -47,12 +48,14 @@ pub(super) fn run(office: &Office) {
         films: Films::default(),
         sent: HashMap::new(),
         strips: HashMap::new(),
+        reels: HashMap::new(),
         seen: Vec::new(),
         told: (Arc::new([]), HashSet::new()),
         lobes: HashMap::new(),
-        arrived: 0,
+        arrivals: 0,
     };
     while let Some((number, request)) = requests.take() {
+        let _busy = office.activity.begin();
         match guarded("Rendering", || studio.show(&request)) {
             Ok(true) => studio.office.say(Answer::Done(number)),
             Ok(false) => {}
@@ -67,18 +70,20 @@ pub(super) fn run(office: &Office) {
 impl Studio {
     /// Whether everything there is to show was shown.
     fn show(&mut self, request: &Request) -> bool {
-        let Some((subjects, pending)) = self.gather(request) else { return true };
-        let scenery = request.scenery;
-        // Before the mesh and the map are looked up: what arrives from here on is noticed the next time.
-        let arrived = self.office.arrived.load(Ordering::Acquire);
-        if arrived != self.arrived {
+        // Before materials, mesh and map are looked up: what arrives from here on is noticed the next time.
+        let arrivals = self.office.arrivals();
+        if arrivals != self.arrivals {
             // The same request may be for another picture.
-            self.arrived = arrived;
+            self.arrivals = arrivals;
             self.films.clear();
             self.films.sets.clear();
             self.sent.clear();
             self.strips.clear();
+            self.lobes.clear();
+            self.reels.clear();
         }
+        let Some((subjects, pending)) = self.gather(request) else { return true };
+        let scenery = request.scenery;
         let model = self.office.model(scenery.shape);
         let is_shown = match scenery.lighting.lamps() {
             Some(light) => self.under_lamps(&subjects, request, Set { scenery, light: &light, model: &model }),
@@ -106,6 +111,10 @@ impl Studio {
             found.push(Subject { card, ends: Arc::new([name.clone()]), point: None, edited: None });
         }
         if found.len() < ends.len() {
+            for &method in &request.methods {
+                let card = Card::Method(method);
+                self.withdraw(card, Answer::Failed(card, "a material of the blend is missing".to_owned()));
+            }
             return None;
         }
         let parts = parts.into_iter().filter(|(weight, _)| *weight != 0.0).collect();
@@ -135,7 +144,8 @@ impl Studio {
             }
         }
         // What is only measured is not waited for.
-        let is_editing = !changes.is_empty() && request.walk.is_edit();
+        let is_waiting = |want: &Want| self.office.found.exact(want).is_none();
+        let is_editing = request.walk.is_edit() && changes.iter().any(is_waiting);
         if !changes.is_empty() {
             self.office.changes.put(changes);
         }

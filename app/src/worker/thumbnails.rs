@@ -16,7 +16,8 @@ const SIZE: usize = 88;
 /// Makes pictures of all materials that come, in their order.
 pub(super) fn run(office: &Office, materials: &mpsc::Receiver<Vec<Material>>) {
     let sphere = LazyCell::new(|| Sphere::new(SIZE, &Light::studio()));
-    for material in materials.iter().flatten() {
+    for material in materials.iter().flatten().take_while(|_| !office.activity.is_over()) {
+        let _busy = office.activity.begin();
         match guarded(&material.name, || thumbnail(office, || &*sphere, &material)) {
             Ok(picture) => office.say(Answer::Thumbnail(material.name, picture)),
             Err(why) => office.say(Answer::Notice(why)),

@@ -15,8 +15,6 @@ pub struct Walk {
     pub tour: Tour,
     /// Edits of points that have codes of ZNBRDF.
     pub edits: Edits,
-    /// Whether the qualities of such points are asked for.
-    pub is_measured: bool,
 }
 
 impl Walk {

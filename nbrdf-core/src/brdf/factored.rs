@@ -74,11 +74,6 @@ impl Factored {
         }
         factored
     }
-
-    /// Bytes of the tables in memory.
-    pub const fn bytes(&self) -> usize {
-        size_of_val(self)
-    }
 }
 
 #[inline(always)]

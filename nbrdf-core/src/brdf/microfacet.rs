@@ -16,7 +16,7 @@ use crate::{Directions, Rgb};
 /// D of GGX \[1/sr\] at the unit half vector `half` (Walter et al. 2007, eq. 33).
 ///
 /// tan² comes from x² + y² rather than 1 − z²: near the normal that difference has no digits left.
-pub fn ggx_distribution(half: Vec3, alpha: f32) -> f32 {
+pub(crate) fn ggx_distribution(half: Vec3, alpha: f32) -> f32 {
     if half.z <= 0.0 {
         return 0.0;
     }
@@ -68,7 +68,7 @@ impl Distribution {
 /// G / (4 cos θ_i cos θ_o) with the height-correlated Smith G of GGX (Heitz 2014, eq. 99).
 ///
 /// Grows without bound where both cosines go to 0.
-pub fn ggx_visibility(cos_i: f32, cos_o: f32, alpha: f32) -> f32 {
+pub(crate) fn ggx_visibility(cos_i: f32, cos_o: f32, alpha: f32) -> f32 {
     let a2 = alpha * alpha;
     let one_side = |this: f32, that: f32| that * (a2 + (1.0 - a2) * this * this).sqrt();
     0.5 / (one_side(cos_i, cos_o) + one_side(cos_o, cos_i))

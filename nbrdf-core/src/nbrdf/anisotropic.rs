@@ -31,6 +31,11 @@ impl AnisotropicNbrdf {
         self.0.weights()
     }
 
+    /// The same weights, as those of a network that reads no φ_half.
+    pub(crate) const fn network(&self) -> &Nbrdf {
+        &self.0
+    }
+
     fn forward(&self, sign: Sign, at: &[Directions], out: &mut [Rgb]) {
         kernel::forward(InstructionSet::fastest(), &self.0.packed, sign, (at, Azimuth::Kept), out);
     }

@@ -50,7 +50,7 @@ impl FitOptions {
 }
 
 /// Random weights after Glorot and Bengio (2010): uniform within √(6 / (rows + columns)), biases zero.
-pub fn random_start(rng: &mut impl Rng, hidden: [usize; 2]) -> Vec<f32> {
+pub(crate) fn random_start(rng: &mut impl Rng, hidden: [usize; 2]) -> Vec<f32> {
     let mut weights = vec![0.0; weight_count(hidden)];
     let rows = [super::INPUTS, hidden[0], hidden[1]];
     for ((kernel, bias), rows) in Layout::new(hidden).layers.into_iter().zip(rows) {

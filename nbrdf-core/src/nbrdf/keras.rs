@@ -1,8 +1,10 @@
-//! Published networks: Keras `.h5` files, three Dense layers each.
+//! Published networks: Keras `.h5` files, three Dense layers each, read and written.
 //!
 //! Only the weights are read. The `.json` published beside a `.h5` carries marshalled Python bytecode; nothing here
 //! opens it. Layer names carry numbers that vary (`dense_1`, `dense_4`, ...): layers are found by their contents,
 //! wherever they are, and ordered by number.
+
+mod write;
 
 use hdf5_pure::{DType, Dataset, Error, File, Group, Layout, is_hdf5_bytes};
 
@@ -10,6 +12,8 @@ use super::{
     Nbrdf, NbrdfError,
     shape::{ShapeError, hidden_from_shapes},
 };
+
+pub use write::{write_architecture, write_keras};
 
 /// Groups looked into and how deep: a published file has 7 groups, 2 deep.
 const MAX_GROUPS: usize = 256;

@@ -10,9 +10,9 @@ mod abc;
 mod fit;
 mod lambert;
 mod microfacet;
-mod number;
+pub(crate) mod number;
 mod sgd;
-mod target;
+pub(crate) mod target;
 mod ward;
 
 use std::marker::PhantomData;

@@ -8,13 +8,13 @@ use std::collections::BTreeMap;
 use super::LARGEST;
 
 /// Bytes that say what the file is.
-const MAGIC: &[u8] = b"tensor_file\0";
+pub(super) const MAGIC: &[u8] = b"tensor_file\0";
 /// More fields, or dimensions of one, are no material.
 const MOST_FIELDS: u32 = 64;
 const MOST_DIMENSIONS: u16 = 8;
 /// Types that are read here.
-const U8: u8 = 1;
-const F32: u8 = 10;
+pub(super) const U8: u8 = 1;
+pub(super) const F32: u8 = 10;
 
 /// Why bytes are no tensor file.
 #[derive(Debug, thiserror::Error)]

@@ -13,13 +13,14 @@ use super::mixture::Glossy;
 
 /// Of a surface of roughness α.
 #[derive(Clone, Copy)]
-pub(super) struct VisibleNormals {
+pub(crate) struct VisibleNormals {
     /// α of GGX, 0 < α ≤ 1.
-    pub(super) alpha: f64,
+    pub(crate) alpha: f64,
 }
 
-impl Glossy for VisibleNormals {
-    fn draw(&self, view: DVec3, [u, v]: [f64; 2]) -> DVec3 {
+impl VisibleNormals {
+    /// A unit normal that the viewer sees, from `u` and `v` uniform in \[0, 1); v turns it about the view.
+    pub(crate) fn normal(self, view: DVec3, [u, v]: [f64; 2]) -> DVec3 {
         let stretch = DVec3::new(self.alpha, self.alpha, 1.0);
         // On the stretched surface α is 1, and the visible normals are halfway between the view and a uniform point
         // of a spherical cap.
@@ -27,7 +28,13 @@ impl Glossy for VisibleNormals {
         let z = (1.0 - u) * (1.0 + seen.z) - seen.z;
         let radius = (1.0 - z * z).max(0.0).sqrt();
         let (sin, cos) = (TAU * v).sin_cos();
-        let half = ((DVec3::new(radius * cos, radius * sin, z) + seen) * stretch).normalize();
+        ((DVec3::new(radius * cos, radius * sin, z) + seen) * stretch).normalize()
+    }
+}
+
+impl Glossy for VisibleNormals {
+    fn draw(&self, view: DVec3, u: [f64; 2]) -> DVec3 {
+        let half = self.normal(view, u);
         let light = half * (2.0 * view.dot(half)) - view;
         light.with_z(light.z.abs())
     }

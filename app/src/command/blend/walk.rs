@@ -2,7 +2,7 @@
 
 use anyhow::Result;
 use nbrdf_core::metric::{albedo_max, reciprocity};
-use nbrdf_core::{Brdf, Image, Material, Warning};
+use nbrdf_core::{Brdf, Code, Image, Material, Warning};
 
 use super::painter::Painter;
 use super::samples::Sample;
@@ -15,6 +15,13 @@ pub(super) struct Walk {
     pub result: Result<Walked>,
 }
 
+impl Walk {
+    /// Where it succeeded, the method and its points.
+    pub fn success(&self) -> Option<(&'static InterpolationEntry, &Walked)> {
+        Some((self.entry, self.result.as_ref().ok()?))
+    }
+}
+
 /// The points of a walk.
 pub(super) struct Walked {
     pub spheres: Vec<Image>,
@@ -24,6 +31,8 @@ pub(super) struct Walked {
     pub reciprocity: f64,
     /// What the path says of every point.
     pub warnings: Vec<Vec<Warning>>,
+    /// Every point's code; none where the path walks through no codes.
+    pub codes: Vec<Option<Code>>,
     /// Distance of every point's code to known materials; none where the path walks through no codes of ZNBRDF.
     pub distances: Option<Vec<f64>>,
 }
@@ -38,8 +47,10 @@ impl Walked {
     ) -> Result<Self> {
         let path = entry.build(catalog)?.between(ends)?;
         let known = catalog.autoencoder();
-        let distance = |sample: &Sample| match path.code(&sample.weights)? {
-            Some(code) => Ok(known.distance(&code)?),
+        let codes: Vec<Option<Code>> =
+            samples.iter().map(|sample| Ok(path.code(&sample.weights)?)).collect::<Result<_>>()?;
+        let distance = |code: &Option<Code>| match code {
+            Some(code) => Ok(known.distance(code)?),
             None => Ok(None),
         };
         let points: Vec<Box<dyn Brdf>> =
@@ -50,7 +61,8 @@ impl Walked {
             reciprocity: most(reciprocity),
             spheres: points.iter().map(|brdf| painter.draw(brdf.as_ref())).collect(),
             warnings: samples.iter().map(|sample| Ok(path.warnings(&sample.weights)?)).collect::<Result<_>>()?,
-            distances: samples.iter().map(distance).collect::<Result<_>>()?,
+            distances: codes.iter().map(distance).collect::<Result<_>>()?,
+            codes,
         })
     }
 

@@ -3,7 +3,7 @@
 use super::saved::Saved;
 use crate::catalog::Family;
 use crate::measure::front::{EXACT, TIE};
-use crate::measure::point::Point;
+use crate::measure::point::{Point, title_of};
 use crate::report;
 use crate::report::svg::scatter::{Kind, Panel, Scatter, Shape, Spot};
 
@@ -33,7 +33,7 @@ pub fn scatter(saved: &Saved, metric: &str, is_dark: bool) -> Scatter {
         saved.reference,
         themselves(saved, metric).map(|said| said + "; ").unwrap_or_default()
     );
-    let error = format!("{}, mean", label(metric));
+    let error = format!("{}, mean", title_of(metric));
     let all = || saved.points.iter().map(size);
     let sizes = [all().fold(f64::INFINITY, f64::min), all().fold(0.0, f64::max)];
     let panel = |title: &str, x_label: &str, tie: f64, cost: &dyn Fn(&Point) -> f64| Panel {
@@ -81,7 +81,7 @@ fn spot(point: &Point, metric: &str, cost: f64, [low, high]: [f64; 2]) -> Spot {
     let about = format!(
         "{}: {} {}, {:.1} ns ({:.1} x reference_loop), {} bytes, {} shared, {} s to encode",
         point.title(),
-        label(metric),
+        title_of(metric),
         report::figure(mean),
         point.times.ns,
         point.times.ratio_to_reference_loop,
@@ -97,21 +97,6 @@ fn spot(point: &Point, metric: &str, cost: f64, [low, high]: [f64; 2]) -> Spot {
         kind,
         label: point.title(),
         about,
-    }
-}
-
-/// A metric for people.
-fn label(metric: &str) -> String {
-    match metric.split_once('_') {
-        Some((light @ ("studio" | "point"), error)) => {
-            let error = match error {
-                "flip" => "FLIP",
-                "delta_e_itp" => "ΔE_ITP",
-                other => other,
-            };
-            format!("{error}, {light} light")
-        }
-        _ => metric.to_owned(),
     }
 }
 

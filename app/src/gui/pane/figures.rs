@@ -4,8 +4,10 @@ mod along;
 mod chart;
 mod copy;
 mod cost;
+mod key;
 mod lines;
 mod lobe;
+mod marks;
 mod named;
 mod profiles;
 mod slices;
@@ -16,7 +18,7 @@ use egui::{Button, ComboBox, RichText, Spinner, Ui};
 use super::Wanted;
 use crate::gui::session::{Channel, Figure, Quantity, Radius};
 use crate::gui::{Gallery, Session};
-use crate::measure::point::METRICS;
+use crate::measure::point::{METRICS, title_of};
 use crate::worker::{Findings, Found};
 use copy::Sheet;
 
@@ -34,8 +36,12 @@ pub fn show(ui: &mut Ui, session: &mut Session, gallery: &Gallery, wanted: &mut 
     let sheet = sheet(session, findings, gallery);
     ui.horizontal_wrapped(|ui| {
         controls(ui, session, gallery, wanted);
-        copy(ui, sheet.as_ref());
-        let is_old = findings.is_none_or(|findings| findings.question.topic != topic || !findings.is_fine);
+        // Pictures are no numbers.
+        if figure != Figure::Slice {
+            copy(ui, sheet.as_ref());
+        }
+        let is_old =
+            findings.is_none_or(|findings| !findings.is_fine || !session.still_asks(&findings.question, &topic));
         let waiting = findings.map_or(0, |findings| findings.waiting);
         if waiting > 0 {
             ui.label(RichText::new(format!("{waiting} more being prepared")).small().weak());
@@ -99,13 +105,14 @@ fn controls(ui: &mut Ui, session: &mut Session, gallery: &Gallery, wanted: &mut 
         Figure::Albedo => channels(ui, &mut choice.channel),
         Figure::Cost => {
             let about = "The error of the chart, mean over held-out materials";
-            let choices = METRICS.map(|metric| (metric.to_owned(), metric.replace('_', " "), about));
+            let choices = METRICS.map(|metric| (metric.to_owned(), title_of(metric), about));
             pick(ui, "Error", &mut choice.metric, &choices);
             wanted.is_charting = chart::button(ui, gallery.curves.chart.as_ref());
         }
         Figure::Slice => {
             let about = "π f_r at the exposure of the spheres: a white diffuse surface is white";
-            ui.label(RichText::new(format!("{:+.2} stops", session.look.exposure)).weak()).on_hover_text(about);
+            let exposure = format!("Exposure {:+.2} stops", session.look.exposure);
+            ui.label(RichText::new(exposure).weak()).on_hover_text(about);
         }
         Figure::Warnings => {}
     }

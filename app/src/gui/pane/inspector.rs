@@ -8,7 +8,7 @@ use nbrdf_core::Vec3;
 use super::view;
 use crate::gui::session::{LAMP, MAX_EXPOSURE};
 use crate::gui::{Gallery, Session};
-use crate::worker::Lighting;
+use crate::worker::{Lighting, Listed};
 
 /// The pane; whether it shows measured qualities.
 pub fn show(ui: &mut Ui, session: &mut Session, gallery: &Gallery) -> bool {
@@ -19,7 +19,7 @@ pub fn show(ui: &mut Ui, session: &mut Session, gallery: &Gallery) -> bool {
         exposure(ui, session);
         ui.horizontal_wrapped(|ui| view::tone(ui, &mut session.look));
         heading(ui, "Shape");
-        ui.horizontal_wrapped(|ui| view::shape(ui, &mut session.look, &gallery.solids));
+        ui.horizontal_wrapped(|ui| view::shape(ui, &mut session.look, &gallery.meshes));
         ui.horizontal_wrapped(|ui| view::zoom(ui, &mut session.look));
         if ui.button("Reset").on_hover_text("Place, exposure, light and zoom as at the start (R)").clicked() {
             session.reset();
@@ -53,20 +53,20 @@ fn exposure(ui: &mut Ui, session: &mut Session) {
     ui.add(slider.fixed_decimals(2)).labelled_by(label.id).on_hover_text("Each stop doubles the light that is shown");
 }
 
-fn light(ui: &mut Ui, session: &mut Session, maps: &[String]) {
-    let label = ui.label(RichText::new("Light").weak());
+fn light(ui: &mut Ui, session: &mut Session, maps: &[Listed]) {
+    let label = ui.label(RichText::new("Source").weak());
     let name = match session.look.scenery.lighting {
-        Lighting::Studio => "Studio",
-        Lighting::Point(_) => "Point",
-        Lighting::Around { map, .. } => maps.get(map).map_or("Map", String::as_str),
+        Lighting::Studio => "Studio".to_owned(),
+        Lighting::Point(_) => "Point".to_owned(),
+        Lighting::Around { map, .. } => Listed::title(maps, map),
     };
     let mut choices = vec![
         ("Studio", "Eleven lamps, as in reports", Lighting::Studio),
         ("Point", "One lamp; drag on a picture", LAMP),
     ];
     let about = "All around, sample after sample; drag on a picture to turn it. Drop .hdr and .exr maps on the window";
-    choices
-        .extend(maps.iter().enumerate().map(|(map, name)| (name.as_str(), about, Lighting::Around { map, turn: 0.0 })));
+    let around = |listed: &Listed| Lighting::Around { map: listed.asset, turn: 0.0 };
+    choices.extend(maps.iter().map(|listed| (listed.name.as_str(), about, around(listed))));
     let combo = ComboBox::from_id_salt("light").selected_text(name).width(96.0).show_ui(ui, |ui| {
         for (own, about, lighting) in choices {
             // By what it is: two maps may have one name.
@@ -92,7 +92,7 @@ fn direction(ui: &mut Ui, session: &mut Session) {
         return;
     }
     let Lighting::Point(direction) = session.look.scenery.lighting else {
-        ui.add(Label::new(RichText::new("drag a picture to light it").weak()).truncate());
+        ui.add(Label::new(RichText::new("Drag a picture to light it").weak()).truncate());
         return;
     };
     // + 0: nobody wants to read −0.

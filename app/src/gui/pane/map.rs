@@ -10,7 +10,7 @@ use egui::{
 };
 
 use crate::gui::session::Tint;
-use crate::gui::{Gallery, Session, look};
+use crate::gui::{Gallery, Session, look, travel};
 use crate::worker::{Explored, Projection, Track};
 
 use frame::Frame;
@@ -18,6 +18,8 @@ use marks::Marks;
 
 /// Smallest side of the map \[points\].
 const SMALLEST: f32 = 80.0;
+/// How far a key press moves it \[points\].
+const STEP: f32 = 24.0;
 
 /// The pane.
 pub fn show(ui: &mut Ui, session: &mut Session, gallery: &Gallery) {
@@ -42,6 +44,7 @@ pub fn show(ui: &mut Ui, session: &mut Session, gallery: &Gallery) {
         look::card_stroke(ui.visuals()),
         egui::StrokeKind::Inside,
     );
+    look::focus(ui.painter(), &canvas, ui.visuals());
     if spots.is_empty() {
         let text = gallery.atlas.doing.as_deref().unwrap_or("The map appears here as soon as materials are encoded");
         ui.put(
@@ -53,6 +56,7 @@ pub fn show(ui: &mut Ui, session: &mut Session, gallery: &Gallery) {
     let frame = Frame::new(rect, spots, &session.map);
     let on_curve = track.and_then(|track| walk::nearest(&frame, track, canvas.hover_pos()?));
     ground(ui, &canvas, session, &frame, on_curve);
+    keys(ui, &canvas, session, &frame);
     let ui = &mut ui.new_child(egui::UiBuilder::new().id_salt(session.map.projection.title()).max_rect(rect));
     ui.shrink_clip_rect(rect);
     if let Some(track) = track {
@@ -136,7 +140,7 @@ fn line(ui: &mut Ui, session: &Session, gallery: &Gallery) {
                 "The code on the plane, and what the six nearest codes are off the plane in the mean"
             }
             Some(Projection::Charting) => "The weighted mean of the six nearest codes",
-            None => "Arrow keys move between materials once one has the focus; A and B choose the one in focus",
+            None => "Arrow keys move between materials once one has the focus; A to F put that one at a slot",
         };
         ui.add(Label::new(text).truncate()).on_hover_text(about);
     });
@@ -166,6 +170,21 @@ fn ground(ui: &Ui, canvas: &Response, session: &mut Session, frame: &Frame, on_c
     }
     if let Some(t) = on_curve.filter(|_| canvas.clicked()) {
         session.blend.go_to(t);
+    }
+}
+
+/// What keys do while the map has the focus.
+fn keys(ui: &Ui, canvas: &Response, session: &mut Session, frame: &Frame) {
+    if let Some([x, y]) = travel::steps(ui, canvas) {
+        let step = STEP / frame.scale;
+        let [across, up] = session.map.centre;
+        session.map.centre = [across + step * x, up + step * y];
+    }
+    if let Some(factor) = travel::zoom(ui, canvas) {
+        session.map.zoom_by(factor, frame.offset(frame.rect.center()));
+    }
+    if travel::is_home(ui, canvas) {
+        session.map.reset();
     }
 }
 

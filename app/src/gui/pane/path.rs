@@ -5,11 +5,10 @@ mod materials;
 mod player;
 mod polygon;
 mod slots;
-mod thumbnail;
 mod timing;
 mod weights;
 
-use egui::{Label, RichText, ScrollArea, Ui, vec2};
+use egui::{Label, Rangef, RichText, ScrollArea, Ui, vec2};
 
 use super::Pane;
 use crate::gui::scrubber::Scrubber;
@@ -17,8 +16,8 @@ use crate::gui::session::Way;
 use crate::gui::strips::{self, Strips};
 use crate::gui::{Gallery, Session};
 
-/// Narrower panes have the choice of timing in a line of its own \[points\].
-const NARROW: f32 = 460.0;
+/// Room that two choices beside each other want, so that no line breaks between them \[points\].
+const PAIR: f32 = 150.0;
 /// Sides of the polygon's area \[points\].
 const POLYGON: [f32; 2] = [130.0, 260.0];
 
@@ -33,9 +32,15 @@ pub fn show(ui: &mut Ui, session: &mut Session, gallery: &Gallery) -> f32 {
             ui.horizontal_wrapped(|ui| {
                 slots::show(ui, session, gallery);
                 way(ui, session);
+                if !session.blend.is_polygon() {
+                    timing::show(ui, &mut session.blend);
+                }
                 kept::show(ui, session);
+                if session.blend.is_outside() {
+                    ui.label(RichText::new("beyond the ends").small().color(ui.visuals().warn_fg_color));
+                }
             });
-            if session.blend.is_polygon() {
+            let rail = if session.blend.is_polygon() {
                 let side = (0.5 * height).clamp(POLYGON[0], POLYGON[1]).min(ui.available_width());
                 ui.horizontal_wrapped(|ui| {
                     polygon::show(ui, &mut session.blend, gallery, side);
@@ -44,12 +49,13 @@ pub fn show(ui: &mut Ui, session: &mut Session, gallery: &Gallery) -> f32 {
                         weights::show(ui, &mut session.blend);
                     });
                 });
+                None
             } else {
-                along(ui, session);
-            }
+                Some(along(ui, session))
+            };
             if session.strips && !session.methods.0.is_empty() {
                 let left = height - (ui.cursor().top() - top);
-                strip(ui, session, gallery, left)
+                strip(ui, session, gallery, left, rail)
             } else {
                 0.0
             }
@@ -57,11 +63,8 @@ pub fn show(ui: &mut Ui, session: &mut Session, gallery: &Gallery) -> f32 {
         .inner
 }
 
-fn along(ui: &mut Ui, session: &mut Session) {
-    let is_narrow = ui.available_width() < NARROW;
-    if is_narrow {
-        timing::show(ui, &mut session.blend);
-    }
+/// The way as a line; where its rail lies.
+fn along(ui: &mut Ui, session: &mut Session) -> Rangef {
     ui.horizontal(|ui| {
         player::show(ui, session);
         let is_outside = session.blend.is_outside();
@@ -72,21 +75,19 @@ fn along(ui: &mut Ui, session: &mut Session) {
         let value = ui.add_sized(vec2(68.0, 26.0), Label::new(value));
         if is_outside {
             value.on_hover_text("Beyond the ends: a guess, no mixture of what is known");
-            if !is_narrow {
-                ui.label(RichText::new("beyond the ends").small().color(ui.visuals().warn_fg_color));
-            }
         } else {
             value.on_hover_text("Place on the path: 0 is the first material, 1 the last");
         }
-        if is_narrow {
-            Scrubber { session }.show(ui);
-        } else {
-            ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
-                timing::show(ui, &mut session.blend);
-                Scrubber { session }.show(ui);
-            });
-        }
-    });
+        Scrubber { session }.show(ui)
+    })
+    .inner
+}
+
+/// Begins a line where this one has no room for two choices.
+fn keep_together(ui: &mut Ui) {
+    if ui.available_size_before_wrap().x < PAIR {
+        ui.end_row();
+    }
 }
 
 /// Along a path or within a polygon, of three materials and more.
@@ -95,6 +96,7 @@ fn way(ui: &mut Ui, session: &mut Session) {
     if blend.ends.len() < 3 {
         return;
     }
+    keep_together(ui);
     let choices = [
         (Way::Keys, "Keys", "From one material to the next, along a smooth curve"),
         (Way::Polygon, "Polygon", "Freely between all materials, one at each corner"),
@@ -107,12 +109,14 @@ fn way(ui: &mut Ui, session: &mut Session) {
     }
 }
 
-fn strip(ui: &mut Ui, session: &mut Session, gallery: &Gallery, height: f32) -> f32 {
+/// Film strips; below a rail their frames stand where their t is on it.
+fn strip(ui: &mut Ui, session: &mut Session, gallery: &Gallery, height: f32, rail: Option<Rangef>) -> f32 {
     let pixel = 1.0 / ui.pixels_per_point();
     let frames = session.blend.tour().frames(session.blend.ends.len());
     let available = vec2(ui.available_width(), height);
-    let frame = strips::fit(available, session.methods.0.len(), frames);
+    let right = ui.available_rect_before_wrap().right();
+    let frame = strips::fit(available, session.methods.0.len(), frames, rail.map(|rail| (rail, right - rail.max)));
     let frame = (frame / pixel).floor() * pixel;
-    Strips { session, gallery, frame }.show(ui);
+    Strips { session, gallery, frame, rail }.show(ui);
     frame
 }

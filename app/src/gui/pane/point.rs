@@ -9,16 +9,19 @@ use crate::gui::{Gallery, Session};
 use crate::worker::{Incidence, Lighting, Point, Reading};
 use table::angles;
 
+/// Size of figures \[points\].
+const DIGITS: f32 = 11.5;
+
 /// The pane.
 pub fn show(ui: &mut Ui, session: &mut Session, gallery: &Gallery) {
     ScrollArea::both().auto_shrink(false).show(ui, |ui| {
         let Some(at) = session.pick.at else { return empty(ui, session.pick.is_picking) };
         let Some(point) = &gallery.point else {
-            ui.weak("looking");
+            ui.weak("Looking");
             return;
         };
         ui.horizontal_wrapped(|ui| buttons(ui, session, point));
-        ui.weak(format!("at {:.3}, {:.3}", at[0], at[1]))
+        ui.weak(format!("At {:.3}, {:.3}", at[0], at[1]).replace('-', "−"))
             .on_hover_text("Right of the middle and above it, in half picture widths");
         let Some(place) = chosen(session, point) else {
             ui.label("Nothing is lit there: pick a point on a sphere.");
@@ -37,7 +40,7 @@ pub fn show(ui: &mut Ui, session: &mut Session, gallery: &Gallery) {
                     ui.weak(why);
                 }
                 None => {
-                    ui.weak("looking");
+                    ui.weak("Looking");
                 }
             }
         }
@@ -100,10 +103,10 @@ fn lamp(ui: &mut Ui, session: &mut Session, point: &Point, place: usize) {
 }
 
 fn directions(ui: &mut Ui, incidence: &Incidence) {
-    Grid::new("directions").num_columns(4).spacing([10.0, 2.0]).show(ui, |ui| {
+    Grid::new("directions").num_columns(4).spacing([8.0, 2.0]).show(ui, |ui| {
         for (place, (name, degrees, about)) in angles(incidence.directions).into_iter().enumerate() {
             ui.weak(name).on_hover_text(about);
-            ui.monospace(format!("{degrees:.2}°")).on_hover_text(about);
+            ui.label(digits(format!("{degrees:.2}°"))).on_hover_text(about);
             if place % 2 == 1 {
                 ui.end_row();
             }
@@ -112,7 +115,7 @@ fn directions(ui: &mut Ui, incidence: &Incidence) {
 }
 
 fn values(ui: &mut Ui, reading: &Reading, place: usize) {
-    Grid::new("values").num_columns(4).spacing([10.0, 2.0]).show(ui, |ui| {
+    Grid::new("values").num_columns(4).spacing([7.0, 2.0]).show(ui, |ui| {
         let about = "Reflectance under this lamp, red, green and blue, in 1/sr";
         row(ui, "f_r 1/sr", reading.values.get(place).map(|Rgb(value)| value.map(number)), about);
         let about = "Linear radiance towards the viewer from all lamps, before exposure: 1 is a white surface facing a \
@@ -133,9 +136,14 @@ fn values(ui: &mut Ui, reading: &Reading, place: usize) {
 fn row(ui: &mut Ui, name: &str, cells: Option<[String; 3]>, about: &str) {
     ui.weak(name).on_hover_text(about);
     for cell in cells.unwrap_or_else(|| std::array::from_fn(|_| "–".to_owned())) {
-        ui.monospace(cell).on_hover_text(about);
+        ui.label(digits(cell)).on_hover_text(about);
     }
     ui.end_row();
+}
+
+/// Figures that stand below each other: three columns of them have room in the narrowest pane.
+fn digits(text: String) -> RichText {
+    RichText::new(text).monospace().size(DIGITS)
 }
 
 /// Four digits of anything.

@@ -5,20 +5,22 @@ use nbrdf_core::image::Tone;
 use nbrdf_core::render::{Frame, MAX_ZOOM};
 
 use crate::gui::session::Look;
-use crate::worker::Shape;
+use crate::worker::{Listed, Shape};
 
-/// Sphere, plane, or one of the meshes of these names.
-pub fn shape(ui: &mut Ui, look: &mut Look, solids: &[String]) {
+/// Sphere, plane, or one of these meshes.
+pub fn shape(ui: &mut Ui, look: &mut Look, meshes: &[Listed]) {
     let label = ui.label(RichText::new("On").weak());
     let mesh = "A mesh, which shadows itself. Drop .obj, .gltf and .glb files on the window";
     let mut choices = vec![
         ("Sphere", "As in reports; figures are always measured on it", Shape::Sphere),
         ("Plane", "A ground seen aslant, from steep to grazing; drag to put the highlight somewhere", Shape::Plane),
     ];
-    choices.extend(solids.iter().enumerate().map(|(place, name)| (name.as_str(), mesh, Shape::Mesh(place))));
-    let chosen = choices.iter().find(|(_, _, shape)| *shape == look.scenery.shape);
-    // A mesh whose file is not open any more is shown as the built-in one.
-    let name = chosen.or(choices.get(2)).map_or("Mesh", |(name, ..)| *name).to_owned();
+    choices.extend(meshes.iter().map(|listed| (listed.name.as_str(), mesh, Shape::Mesh(listed.asset))));
+    let name = match look.scenery.shape {
+        Shape::Sphere => "Sphere".to_owned(),
+        Shape::Plane => "Plane".to_owned(),
+        Shape::Mesh(asset) => Listed::title(meshes, asset),
+    };
     let combo = ComboBox::from_id_salt("shape").selected_text(name).width(96.0).show_ui(ui, |ui| {
         for (name, about, shape) in choices {
             let is_chosen = shape == look.scenery.shape;

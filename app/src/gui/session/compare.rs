@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::{Session, letter};
+use super::{Session, letter, shown};
 use crate::catalog::Catalog;
 use crate::worker::{Card, Closeup, Scale};
 
@@ -145,7 +145,7 @@ impl Session {
         match card {
             Card::End(end) => {
                 let name = self.blend.ends.get(end).map_or("", String::as_str);
-                format!("{} {}", letter(end), name.strip_prefix("rgl/").unwrap_or(name))
+                format!("{} {}", letter(end), shown(name))
             }
             Card::Method(name) => Catalog::interpolation_entry(name).map_or(name, |entry| entry.title).to_owned(),
             Card::Explored => "Explored".to_owned(),

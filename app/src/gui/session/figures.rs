@@ -10,8 +10,8 @@ pub use channel::Channel;
 pub use quantity::Quantity;
 pub use radius::Radius;
 
-use super::Blend;
-use crate::worker::Topic;
+use super::{Blend, Session};
+use crate::worker::{Question, Topic, Tour, Walk};
 
 /// Which figure is shown, and of what.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -93,9 +93,33 @@ impl Figure {
     }
 }
 
+impl Session {
+    /// How paths are walked for a figure: whole paths are the same wherever one is on them, and are not edited.
+    fn walked_for(&self, topic: &Topic) -> Walk {
+        topic.weights().map_or_else(Walk::default, |_| Walk { tour: Tour::default(), ..self.blend.walk() })
+    }
+
+    /// What the worker is asked for a figure.
+    pub fn question(&self, topic: Topic) -> Question {
+        let Self { blend, methods, .. } = self;
+        let walk = self.walked_for(&topic);
+        Question { ends: blend.ends.as_slice().into(), methods: methods.0.clone(), timing: blend.timing, walk, topic }
+    }
+
+    /// Whether a question is the one that would be asked now.
+    pub fn still_asks(&self, asked: &Question, topic: &Topic) -> bool {
+        let Self { blend, methods, .. } = self;
+        let walk = self.walked_for(topic);
+        (&asked.topic, asked.timing, asked.walk, &asked.methods) == (topic, blend.timing, walk, &methods.0)
+            && *asked.ends == *blend.ends
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::gui::session::Methods;
+    use crate::worker::Timing;
 
     #[test]
     fn only_what_is_of_one_point_depends_on_t() {
@@ -106,5 +130,27 @@ mod tests {
         let after = topics(&blend);
         let changed: Vec<bool> = before.iter().zip(&after).map(|(before, after)| before != after).collect();
         assert_eq!(changed, [false, true, true, true, true, false, true]);
+    }
+
+    #[test]
+    fn what_was_asked_of_another_path_is_not_what_is_asked_now() {
+        let mut session = Session::default();
+        let topics = |session: &Session| {
+            [Figure::Lobe, Figure::Cost].map(|figure| figure.topic(&session.figures, &session.blend, 0.0))
+        };
+        let asked = topics(&session).map(|topic| session.question(topic));
+        let still = |session: &Session| {
+            let topics = topics(session);
+            [0, 1].map(|at| session.still_asks(&asked[at], &topics[at]))
+        };
+        assert_eq!(still(&session), [true; 2]);
+        session.blend.edits[0] = 0.25;
+        assert_eq!(still(&session), [false, true], "only the figure of a point is edited");
+        session.blend.edits[0] = 0.0;
+        session.methods.0.pop();
+        assert_eq!(still(&session), [false; 2]);
+        session.methods = Methods::default();
+        session.blend.timing = Timing::Even;
+        assert_eq!(still(&session), [false; 2]);
     }
 }

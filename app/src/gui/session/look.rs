@@ -5,7 +5,7 @@ use nbrdf_core::image::Tone;
 use nbrdf_core::render::{Frame, Model};
 use serde::{Deserialize, Serialize};
 
-use crate::worker::{Lighting, Scenery, Shape};
+use crate::worker::{Asset, Lighting, Listed, Scenery, Shape};
 
 /// Exposure goes this many stops either way.
 pub const MAX_EXPOSURE: f32 = 4.0;
@@ -86,13 +86,15 @@ impl Look {
         (self.scenery.shape, self.scenery.frame) = (shape, Frame::WHOLE);
     }
 
-    /// Studio, point, then one map after the other.
-    pub fn next_light(&mut self, maps: usize) {
+    /// Studio, point, then one of these maps after the other.
+    pub fn next_light(&mut self, maps: &[Listed]) {
         self.scenery.lighting = match self.scenery.lighting {
             Lighting::Studio => LAMP,
-            Lighting::Point(_) => Lighting::Around { map: 0, turn: 0.0 },
-            Lighting::Around { map, .. } if map + 1 < maps => Lighting::Around { map: map + 1, turn: 0.0 },
-            Lighting::Around { .. } => Lighting::Studio,
+            Lighting::Point(_) => Lighting::Around { map: Asset::BuiltIn, turn: 0.0 },
+            Lighting::Around { map, .. } => {
+                let next = maps.iter().skip_while(|listed| listed.asset != map).nth(1);
+                next.map_or(Lighting::Studio, |listed| Lighting::Around { map: listed.asset, turn: 0.0 })
+            }
         };
     }
 
@@ -118,7 +120,7 @@ mod tests {
 
     #[test]
     fn the_highlight_follows_the_pointer_when_zoomed_and_on_a_plane() {
-        for shape in [Shape::Sphere, Shape::Plane, Shape::Mesh(0)] {
+        for shape in [Shape::Sphere, Shape::Plane, Shape::Mesh(Asset::BuiltIn)] {
             let mut look = Look::default();
             look.show_on(shape);
             look.scenery.frame = Frame::WHOLE.zoomed(3.0, [0.5, 0.25]);
@@ -142,7 +144,8 @@ mod tests {
 
     #[test]
     fn dragging_turns_a_map_and_never_beyond_half_a_turn() {
-        let mut look = Look { scenery: Scenery::of(Lighting::Around { map: 0, turn: 0.0 }), ..Look::default() };
+        let mut look =
+            Look { scenery: Scenery::of(Lighting::Around { map: Asset::BuiltIn, turn: 0.0 }), ..Look::default() };
         for (radii, quarters) in [(1.0, 1.0), (2.0, -1.0)] {
             assert!(look.turn_by(radii));
             let Lighting::Around { turn, .. } = look.scenery.lighting else { panic!("{:?}", look.scenery.lighting) };

@@ -21,6 +21,8 @@ impl Session {
         let angles = [0.0, 90.0];
         self.figures.theta_i = number(self.figures.theta_i, angles, 45.0);
         self.figures.theta_d = number(self.figures.theta_d, angles, 0.0);
+        let Self { files, origins, .. } = &mut self;
+        origins.retain(|_, origin| files.contains(origin));
         let [low, high] = TOLERANCES;
         self.scene.tolerance = self.scene.tolerance.filter(|tolerance| (low..=high).contains(tolerance));
         self

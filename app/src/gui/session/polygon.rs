@@ -81,3 +81,10 @@ pub(super) fn on_rim(place: [f32; 2], corners: &[[f32; 2]]) -> (f32, f32) {
     };
     (0..count).map(onto).min_by(|a, b| a.1.total_cmp(&b.1)).unwrap_or((0.0, 0.0))
 }
+
+/// A blend of so many ends in a polygon.
+#[cfg(test)]
+pub(super) fn of(count: usize) -> super::Blend {
+    let ends = (0..count).map(|end| super::letter(end).to_string()).collect();
+    super::Blend { ends, way: super::Way::Polygon, ..super::Blend::default() }
+}

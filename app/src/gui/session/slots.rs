@@ -17,6 +17,11 @@ impl Blend {
         }
     }
 
+    /// Where a material is in the blend: its slots, from the first.
+    pub fn slots_of(&self, name: &str) -> Vec<usize> {
+        self.ends.iter().enumerate().filter(|(_, end)| *end == name).map(|(slot, _)| slot).collect()
+    }
+
     /// Takes an end out; two stay.
     pub fn remove(&mut self, end: usize) {
         if self.ends.len() > 2 && end < self.ends.len() {
@@ -48,6 +53,7 @@ impl Blend {
 
 #[cfg(test)]
 mod tests {
+    use super::super::polygon::of;
     use super::*;
 
     #[test]
@@ -60,6 +66,13 @@ mod tests {
     }
 
     #[test]
+    fn all_slots_of_a_material_are_known() {
+        let blend = Blend { ends: ["a", "b", "a", "a"].map(str::to_owned).to_vec(), ..Blend::default() };
+        assert_eq!((blend.slots_of("a"), blend.slots_of("b")), (vec![0, 2, 3], vec![1]));
+        assert!(blend.slots_of("c").is_empty());
+    }
+
+    #[test]
     fn an_end_that_is_moved_keeps_the_order_of_the_others() {
         let mut blend = Blend { ends: ["a", "b", "c", "d"].map(str::to_owned).to_vec(), ..Blend::default() };
         blend.reorder(0, 2);
@@ -68,5 +81,20 @@ mod tests {
         assert_eq!(blend.ends, ["d", "b", "c", "a"]);
         blend.reorder(1, 9);
         assert_eq!(blend.ends, ["d", "b", "c", "a"]);
+    }
+
+    #[test]
+    fn swapping_keeps_the_picture() {
+        let mut blend = Blend { t: 0.25, ..Blend::default() };
+        blend.swap();
+        assert_eq!((blend.ends[0].as_str(), blend.t), ("blue-acrylic", 0.75));
+        for count in 3..=MOST_ENDS {
+            let mut blend = Blend { place: [0.2, -0.1], ..of(count) };
+            let mut before = blend.weights().as_slice().to_vec();
+            blend.swap();
+            before.reverse();
+            let after = blend.weights();
+            assert!(after.as_slice().iter().zip(&before).all(|(a, b)| (a - b).abs() < 1e-5), "{before:?} {after:?}");
+        }
     }
 }

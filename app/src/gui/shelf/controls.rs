@@ -38,6 +38,9 @@ fn menu(face: &'static str, is_used: bool) -> MenuButton<'static> {
 
 fn filter(ui: &mut Ui, listing: &mut Listing) {
     ScrollArea::vertical().max_height(420.0).show(ui, |ui| {
+        ui.set_min_width(150.0);
+        // So that all of it is seen without scrolling in a small window.
+        (ui.spacing_mut().interact_size.y, ui.spacing_mut().item_spacing.y) = (18.0, 2.0);
         ui.checkbox(&mut listing.is_favourites, "Favourites only");
         ui.label(RichText::new("Database").small().weak());
         for (database, name, about) in [

@@ -1,12 +1,12 @@
 //! Materials as pictures alone.
 
-use egui::{Sense, Stroke, StrokeKind, Ui, Vec2, WidgetInfo, vec2};
+use egui::{Sense, Ui, Vec2, WidgetInfo, vec2};
 
 use super::{entry, star, value};
-use crate::gui::{Gallery, Session, look};
+use crate::gui::{Gallery, Session, look, picture};
 
-/// Side of a cell, and between two \[points\].
-pub const CELL: f32 = 50.0;
+/// Side of a cell, and between two \[points\]: four in a line of the narrowest library.
+pub const CELL: f32 = 47.0;
 pub const GAP: f32 = 4.0;
 
 /// Cells in a line of this width, one at least.
@@ -26,24 +26,23 @@ pub fn line(ui: &mut Ui, session: &mut Session, gallery: &Gallery, names: &[&str
 
 fn cell(ui: &mut Ui, session: &mut Session, gallery: &Gallery, name: &str) {
     let (rect, cell) = ui.allocate_exact_size(Vec2::splat(CELL), Sense::click_and_drag());
-    let end = session.blend.ends.iter().position(|end| end == name);
-    cell.widget_info(|| WidgetInfo::selected(egui::Role::ListItem, true, end.is_some(), name));
+    let slots = session.blend.slots_of(name);
+    cell.widget_info(|| WidgetInfo::selected(egui::Role::ListItem, true, !slots.is_empty(), name));
     let visuals = ui.visuals();
-    if end.is_some() || cell.hovered() {
+    if !slots.is_empty() || cell.hovered() {
         ui.painter().rect_filled(rect, look::ROUND, visuals.faint_bg_color);
     }
-    if cell.has_focus() {
-        let stroke = Stroke::new(1.5, visuals.selection.stroke.color);
-        ui.painter().rect_stroke(rect, look::ROUND, stroke, StrokeKind::Inside);
-    }
-    entry::picture(ui, gallery, name, rect.shrink(3.0));
-    if let Some(end) = end {
-        look::badge(ui.painter(), rect.right_bottom() - vec2(9.0, 9.0), end, true, ui.visuals());
+    look::focus(ui.painter(), &cell, visuals);
+    picture::ball(ui.painter(), gallery.thumbnail(name), rect.shrink(3.0), visuals);
+    for (place, &slot) in slots.iter().rev().enumerate() {
+        // From the right, three in a line: all of them stay below the star.
+        let [column, line] = [place % 3, place / 3].map(|steps| 16.0 * steps as f32);
+        look::badge(ui.painter(), rect.right_bottom() - vec2(9.0 + column, 9.0 + line), slot, true, visuals);
     }
     star::show(ui, &mut session.listing, rect.min, name, cell.contains_pointer() || cell.has_focus());
     let sort = session.listing.sort;
     let value = value(sort, gallery, name).map_or_else(String::new, |value| format!("\n{}", sort.shown(value)));
-    let cell = cell.on_hover_text(format!("{name}{value}"));
+    let cell = cell.on_hover_text(format!("{name}{}{value}", entry::whereabouts(&slots)));
     entry::interact(ui, session, gallery, &cell, name);
 }
 

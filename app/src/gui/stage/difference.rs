@@ -5,7 +5,7 @@ use nbrdf_core::image::DISPLAY_GAMMA;
 
 use super::large::{self, Large};
 use crate::gui::gallery::{Heat, State};
-use crate::gui::{Session, card};
+use crate::gui::{Session, card, picture};
 use crate::report::heat::heat;
 use crate::worker::Scale;
 
@@ -44,14 +44,13 @@ pub fn show(ui: &mut Ui, mut large: Large<'_>) {
         // Whatever keeps one of the two from being shown keeps the difference, too.
         let missing = views.into_iter().find(|view| view.is_none_or(|view| view.state != State::Shown)).flatten();
         card::picture(ui, rect, missing.filter(|view| view.state != State::Shown));
-        large.describe(picture, &format!("Difference of {first} and {second}: {}", card::told(missing)));
+        large.describe(ui, picture, &format!("Difference of {first} and {second}: {}", card::told(missing)));
         return large::caption(ui, rect, [&first, &second]);
     };
-    let whole = Rect::from_min_max(pos2(0.0, 0.0), pos2(1.0, 1.0));
-    ui.painter().image(found.texture.id(), rect, whole, Color32::WHITE);
+    picture::whole(ui.painter(), &found.texture, rect, Color32::WHITE);
     card::mark(large.session, ui, rect, &picture);
     let Heat { mean, largest, top, .. } = *found;
-    large.describe(picture, &format!("Difference of {first} and {second}: mean {mean:.2}, largest {largest:.1}"));
+    large.describe(ui, picture, &format!("Difference of {first} and {second}: mean {mean:.2}, largest {largest:.1}"));
     let (left, right) = (format!("mean {mean:.2}"), format!("largest {largest:.1} ΔE_ITP"));
     large::caption(ui, rect, [&left, &right]);
     bar(ui, rect, top);
@@ -60,6 +59,7 @@ pub fn show(ui: &mut Ui, mut large: Large<'_>) {
 /// The colours, with numbers under them.
 fn bar(ui: &mut Ui, picture: Rect, top: u16) {
     let (row, _) = ui.allocate_exact_size(vec2(ui.available_width(), BAR + NUMBERS), Sense::hover());
+    let picture = large::under(ui, picture);
     let rect = Rect::from_min_size(pos2(picture.left(), row.top()), vec2(picture.width(), BAR));
     let mut mesh = Mesh::default();
     for piece in 0..=PIECES {

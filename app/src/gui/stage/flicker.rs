@@ -5,7 +5,7 @@ use std::time::Duration;
 use egui::{Key, Ui};
 
 use super::large::{self, Large};
-use crate::gui::{Session, card};
+use crate::gui::{Session, card, put};
 
 /// Turns of one sphere: two of them are one of the 2 Hz, below the three flashes a second that may harm.
 const TURN: f64 = 0.25;
@@ -15,8 +15,8 @@ pub fn buttons(ui: &mut Ui, session: &mut Session) -> bool {
     let about = "Shows the second sphere while it is pressed, or while C is";
     let hold = ui.button("Hold to flicker").on_hover_text(about);
     ui.checkbox(&mut session.compare.is_alternating, "2 Hz").on_hover_text("Flickers by itself, twice a second");
-    // C is a letter where a text is typed.
-    let is_typing = ui.ctx().text_edit_focused();
+    // C is a letter where a text is typed, and a slot where a material has the focus.
+    let is_typing = ui.ctx().text_edit_focused() || put::takes(ui.ctx(), Key::C);
     hold.is_pointer_button_down_on()
         || (!is_typing && ui.input(|input| input.key_down(Key::C) && input.modifiers.is_none()))
 }
@@ -30,7 +30,7 @@ pub fn show(ui: &mut Ui, mut large: Large<'_>, is_held: bool) {
         card::mark(large.session, ui, rect, &picture);
     }
     let name = large.name(shown);
-    large.describe(picture, &format!("Flicker, {name}: {}", card::told(view)));
+    large.describe(ui, picture, &format!("Flicker, {name}: {}", card::told(view)));
     large::caption(ui, rect, if shown == 0 { [&name, ""] } else { ["", &name] });
 }
 

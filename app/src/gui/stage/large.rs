@@ -4,7 +4,7 @@ use egui::{CursorIcon, Label, Layout, Rect, Response, RichText, Sense, Ui, Vec2,
 
 use crate::gui::card::{self, HOW};
 use crate::gui::session::Mode;
-use crate::gui::{Gallery, Session};
+use crate::gui::{Gallery, Session, look};
 use crate::worker::Card;
 
 /// Under the picture \[points\]: a line of text, and of a difference its scale; each with the space before it.
@@ -12,6 +12,8 @@ const CAPTION: f32 = 30.0;
 const SCALE: f32 = 38.0;
 const LINE: f32 = 22.0;
 const SMALLEST: f32 = 96.0;
+/// Two captions in a line take so much.
+const LEGIBLE: f32 = 260.0;
 
 /// What a large picture is made of.
 pub struct Large<'a> {
@@ -43,7 +45,8 @@ impl Large<'_> {
     }
 
     /// Says what the picture is, to those who do not see it and to those who hover.
-    pub fn describe(&self, picture: Response, what: &str) {
+    pub fn describe(&self, ui: &Ui, picture: Response, what: &str) {
+        look::focus(ui.painter(), &picture, ui.visuals());
         picture.widget_info(|| WidgetInfo::labeled(egui::Role::Image, true, what));
         picture.on_hover_cursor(CursorIcon::Crosshair).on_hover_text(HOW);
     }
@@ -56,6 +59,7 @@ impl Large<'_> {
 
 /// A line under the picture: one text on the left, one on the right.
 pub fn caption(ui: &mut Ui, rect: Rect, texts: [&str; 2]) {
+    let rect = under(ui, rect);
     let line = Rect::from_min_size(rect.left_bottom(), vec2(rect.width(), LINE));
     ui.allocate_rect(line, Sense::hover());
     let [left, right] = [line.with_max_x(line.center().x - 4.0), line.with_min_x(line.center().x + 4.0)];
@@ -64,6 +68,12 @@ pub fn caption(ui: &mut Ui, rect: Rect, texts: [&str; 2]) {
         let half = ui.new_child(egui::UiBuilder::new().max_rect(half).layout(layout));
         write(half, text);
     }
+}
+
+/// What is written under a picture may be wider than a small one.
+pub fn under(ui: &Ui, picture: Rect) -> Rect {
+    let width = picture.width().max(LEGIBLE.min(ui.max_rect().width()));
+    Rect::from_center_size(picture.center(), vec2(width, picture.height()))
 }
 
 fn write(mut ui: Ui, text: &str) {

@@ -29,7 +29,7 @@ pub fn show(ui: &mut Ui, mut large: Large<'_>) {
     line(ui, rect, x, is_focused);
     let [first, second] = [0, 1].map(|place| large.name(place));
     let told = large.cards.map(|card| card::told(large.gallery.view(card)));
-    large.describe(picture, &format!("Swipe, {first}: {}, {second}: {}", told[0], told[1]));
+    large.describe(ui, picture, &format!("Swipe, {first}: {}, {second}: {}", told[0], told[1]));
     large::caption(ui, rect, [&first, &second]);
 }
 

@@ -98,6 +98,7 @@ impl Stopwatch {
             "work_ms": spread(&self.work),
             "scrubber": self.scrubber,
             "spheres": shown,
+            "largest_side_px": workbench.gallery.largest_side(),
             "pictures_per_sphere_and_second": pictures as f64 / shown as f64 / seconds.max(1e-9),
         });
         let text = format!("{report:#}\n");

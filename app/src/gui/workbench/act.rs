@@ -25,6 +25,8 @@ impl Workbench {
                 self.passing.opener.begin();
                 self.worker.choose();
             }
+            Action::NextPane => self.enter_next(1),
+            Action::PaneBefore => self.enter_next(Pane::ALL.len() - 1),
             Action::Search => {
                 self.bring(Pane::Library);
                 self.passing.is_searching = true;
@@ -40,7 +42,7 @@ impl Workbench {
             Action::Reset => self.session.reset(),
             Action::Brighter => look.exposure = (look.exposure + 0.5).min(MAX_EXPOSURE),
             Action::Darker => look.exposure = (look.exposure - 0.5).max(-MAX_EXPOSURE),
-            Action::Light => look.next_light(self.gallery.maps.len()),
+            Action::Light => look.next_light(&self.gallery.maps),
             Action::Strips => self.session.strips = !self.session.strips,
             Action::SideBySide => compare.mode = Mode::SideBySide,
             Action::Swipe => compare.mode = Mode::Swipe,

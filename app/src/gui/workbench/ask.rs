@@ -5,12 +5,14 @@ use std::sync::Arc;
 use super::Workbench;
 use crate::gui::pane::Wanted;
 use crate::gui::{Session, atlas};
-use crate::worker::{Probe, Question, Request, Tour, Walk};
+use crate::worker::{Probe, Request};
 
 /// Largest picture of a sphere in pixels; beyond, it is enlarged.
 const MOST_PIXELS: usize = 640;
 /// Where two alone are looked at.
 const MOST_PIXELS_OF_TWO: usize = 768;
+/// Of a frame of a film strip: the largest on a dense display.
+const MOST_PIXELS_OF_FRAME: usize = 220;
 
 impl Workbench {
     /// Asks for what is now to be seen, if that is news.
@@ -33,9 +35,9 @@ impl Workbench {
             _ => blend.ends.as_slice().into(),
         };
         let request = Request {
-            walk: Walk { is_measured: wanted.is_measured, ..blend.walk() },
+            walk: blend.walk(),
             size: pixels(wanted.side).clamp(16, most),
-            strip: pixels(wanted.frame).min(128),
+            strip: pixels(wanted.frame).min(MOST_PIXELS_OF_FRAME),
             closeup,
             ..self.session.shown_between(ends)
         };
@@ -55,26 +57,22 @@ impl Workbench {
             let number = self.worker.show(request.clone());
             self.asked = Some((number, request));
         }
+        if wanted.is_measured != self.is_measured {
+            self.worker.measure(wanted.is_measured);
+            self.is_measured = wanted.is_measured;
+        }
         let number = self.worker.plan(wanted.scene, self.session.scene.wish());
         number.into_iter().for_each(|number| self.gallery.scene.ask(number));
     }
 
     /// Asks for the figure that is seen, if that is news, and for the chart of all representations.
     pub(super) fn question(&mut self, wanted: &Wanted) {
-        let Session { blend, methods, .. } = &self.session;
         if let Some(is_charting) = wanted.is_charting {
-            self.worker.chart(is_charting.then(|| blend.ends.as_slice().into()));
+            self.worker.chart(is_charting.then(|| self.session.blend.ends.as_slice().into()));
         }
         let Some(topic) = wanted.figure.clone() else { return };
-        // Whole paths are the same wherever one is on them.
-        let walk = topic.weights().map_or_else(Walk::default, |_| Walk { tour: Tour::default(), ..blend.walk() });
-        let is_asked = |asked: &Question| {
-            (&asked.topic, asked.timing, asked.walk, &asked.methods) == (&topic, blend.timing, walk, &methods.0)
-                && *asked.ends == *blend.ends
-        };
-        if !self.questioned.as_ref().is_some_and(is_asked) {
-            let ends = blend.ends.as_slice().into();
-            let question = Question { ends, methods: methods.0.clone(), timing: blend.timing, walk, topic };
+        if !self.questioned.as_ref().is_some_and(|asked| self.session.still_asks(asked, &topic)) {
+            let question = self.session.question(topic);
             self.worker.ask(question.clone());
             self.questioned = Some(question);
         }

@@ -33,21 +33,22 @@ pub struct Opened {
     pub ladder: Vec<Rung>,
     /// How lights are drawn for every object.
     lobes: Vec<Lobe>,
-    catalog: Catalog,
+    catalog: Arc<Catalog>,
     /// Catalogs of further checkpoints, by their files.
     others: Vec<(PathBuf, Catalog)>,
 }
 
 impl Opened {
-    /// Reads a scene and what it names, and times the kinds of models.
+    /// Reads a scene and what it names, and times the kinds of models, which learn from `catalog`: what that has learned
+    /// before is used again.
     ///
     /// # Errors
     /// What is wrong with the scene, a material it names, the library or a checkpoint.
-    pub fn load(path: &Path, library: Option<&Path>, checkpoints: &[PathBuf]) -> Result<Self> {
+    pub fn load(path: &Path, library: Option<&Path>, checkpoints: &[PathBuf], catalog: &Arc<Catalog>) -> Result<Self> {
         let scene = Scene::load(path)?;
-        let catalog = || Catalog::new(Arc::new(Reference::built_in()));
-        let shelf = Shelf::new(library.map(Library::load).transpose()?, catalog());
-        let other = |path: &PathBuf| Ok((path.clone(), catalog().with_checkpoint(path)?));
+        let shelf = Shelf::new(library.map(Library::load).transpose()?, Arc::clone(catalog));
+        let plain = || Catalog::new(Arc::new(Reference::built_in()));
+        let other = |path: &PathBuf| Ok((path.clone(), plain().with_checkpoint(path)?));
         let others = checkpoints.iter().map(other).collect::<Result<Vec<_>>>()?;
         others.iter().try_for_each(|(_, catalog)| catalog.check_used())?;
         let mut sources: Vec<Source> = Vec::new();
@@ -71,7 +72,7 @@ impl Opened {
         let fitted: Vec<Lobe> = materials.par_iter().map(|material| Lobe::fit(material.brdf.as_ref())).collect();
         let lobes = material.iter().map(|&place| fitted[place]).collect();
         let path = path.to_owned();
-        let (catalog, ladder) = (catalog(), Vec::new());
+        let (catalog, ladder) = (Arc::clone(catalog), Vec::new());
         let mut opened = Self { path, scene, materials, files, material, ladder, lobes, catalog, others };
         opened.ladder = opened.new_ladder()?;
         Ok(opened)

@@ -34,6 +34,9 @@ enum Model {
     Middle(Key),
 }
 
+/// Costs kept; they are small, so this only bounds a long day's work.
+const KEPT: usize = 256;
+
 /// Costs that were measured: each once.
 #[derive(Default)]
 pub(super) struct Prices(HashMap<Model, Cost>);
@@ -51,6 +54,10 @@ impl Prices {
         let unknown: Vec<&Subject> = subjects.iter().filter(is_unknown).collect();
         let asked: Vec<(&dyn Brdf, Given)> =
             unknown.iter().map(|subject| (subject.brdf.as_ref(), Given::Directions)).collect();
+        if !self.0.is_empty() && self.0.len() + asked.len() > KEPT {
+            self.0.clear();
+            return self.of(question, subjects);
+        }
         if !asked.is_empty() {
             let costs = Track::new(0).measure(&asked, REPEATS);
             self.0.extend(unknown.iter().filter_map(|subject| model(subject)).zip(costs));

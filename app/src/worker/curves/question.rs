@@ -85,7 +85,7 @@ impl Topic {
 impl Question {
     /// What a method's path between the ends is prepared from.
     pub(in crate::worker) fn key(&self, method: &'static str) -> Key {
-        Key { ends: Arc::clone(&self.ends), method, timing: self.timing }
+        Key::new(&self.ends, method, self.timing)
     }
 
     /// A place of a method's path, walked like this.

@@ -3,6 +3,7 @@
 use std::path::PathBuf;
 
 use nbrdf_core::{Code, Weights};
+use serde_json::Value;
 
 /// Files, and the point that they are of, where they are of one.
 pub(super) struct Made {
@@ -10,6 +11,8 @@ pub(super) struct Made {
     pub files: Vec<(PathBuf, Vec<u8>)>,
     /// The point of a path.
     pub point: Option<Point>,
+    /// How far the files of each material are from it, where they are of materials.
+    pub errors: Vec<Value>,
 }
 
 /// A point of a method's path, as it was made.
@@ -23,6 +26,6 @@ pub(super) struct Point {
 impl Made {
     /// Files that are of no single point.
     pub const fn of_many(files: Vec<(PathBuf, Vec<u8>)>) -> Self {
-        Self { files, point: None }
+        Self { files, point: None, errors: Vec::new() }
     }
 }

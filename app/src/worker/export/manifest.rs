@@ -1,21 +1,19 @@
 //! What is told of files that were written: what they are, of what, and how they are made again.
 
-use std::path::PathBuf;
-
 use anyhow::Result;
 use autoencoder::{Architecture, Autoencoder};
+use nbrdf_core::Representation as _;
 use nbrdf_core::axis::Axis;
-use nbrdf_core::hash::{sha256, short_hash};
-use nbrdf_core::{Database, Representation as _};
 use serde_json::{Value, json};
 
 use super::job::Job;
 use super::made::Made;
 use super::{Goods, PictureForm, SAMPLES};
+use crate::exported;
 use crate::worker::{Card, Edits, Lighting, Office, Shape, Timing, Tour};
 
 /// The bytes of the manifest of these files.
-pub(super) fn of(office: &Office, job: &Job, Made { files, point }: &Made) -> Result<Vec<u8>> {
+pub(super) fn of(office: &Office, job: &Job, Made { files, point, errors }: &Made) -> Result<Vec<u8>> {
     let Job { goods, shown, t, .. } = job;
     let own = match goods {
         Goods::Material { card, .. } | Goods::Picture { card, .. } => Some(*card),
@@ -32,9 +30,14 @@ pub(super) fn of(office: &Office, job: &Job, Made { files, point }: &Made) -> Re
     let is_png =
         matches!(goods, Goods::Picture { form: PictureForm::Png, .. } | Goods::Strip { form: PictureForm::Png, .. });
     let frame = matches!(goods, Goods::Picture { .. }).then_some(shown.scenery.frame);
-    let file = |(path, bytes): &(PathBuf, Vec<u8>)| {
-        let name = path.file_name().unwrap_or_default().to_string_lossy();
-        json!({"name": name, "bytes": bytes.len(), "sha256": sha256(bytes)})
+    let convention = match goods {
+        Goods::Material { form, .. } | Goods::Steps { form, .. } => Some(form.convention),
+        Goods::Picture { .. } | Goods::Strip { .. } | Goods::Curve { .. } => None,
+    };
+    let error = match (goods, errors.as_slice()) {
+        (Goods::Material { .. }, [error]) => Some(error.clone()),
+        (Goods::Steps { .. }, errors) => Some(json!(errors)),
+        _ => None,
     };
     let is_lit = goods.size().is_some() || matches!(goods, Goods::Curve { .. });
     let light = match (goods, shown.scenery.lighting) {
@@ -48,8 +51,10 @@ pub(super) fn of(office: &Office, job: &Job, Made { files, point }: &Made) -> Re
         "nbrdf": env!("CARGO_PKG_VERSION"),
         "what": goods.name(),
         "form": goods.form(),
+        "convention": convention,
+        "error": error,
         "material": end,
-        "materials": shown.ends.iter().map(|name| material(office, name)).collect::<Vec<_>>(),
+        "materials": shown.ends.iter().map(|name| exported::material(name, office.material(name).as_ref())).collect::<Vec<_>>(),
         "methods": methods,
         "weights": point.as_ref().map(|point| point.weights.as_slice()),
         "t": t.filter(|_| point.is_some()),
@@ -67,18 +72,11 @@ pub(super) fn of(office: &Office, job: &Job, Made { files, point }: &Made) -> Re
         "size": goods.size(),
         "checkpoint": Autoencoder::built_in(Architecture::Znbrdf).checkpoint(),
         "chosen": job.chosen,
-        "files": files.iter().map(file).collect::<Vec<_>>(),
+        "files": files.iter().map(exported::file).collect::<Vec<_>>(),
         "command": job.command.as_ref().ok(),
         "remark": job.command.as_ref().err(),
     });
     Ok(format!("{manifest:#}\n").into_bytes())
-}
-
-/// A material by name, database and network.
-fn material(office: &Office, name: &str) -> Value {
-    let network = office.material(name).and_then(|material| material.network);
-    let hash = network.map(|network| short_hash(network.weights().iter().copied()));
-    json!({"name": name, "database": Database::of(name).to_string(), "network": hash})
 }
 
 fn lit(office: &Office, light: Lighting) -> Value {
@@ -86,11 +84,9 @@ fn lit(office: &Office, light: Lighting) -> Value {
         Lighting::Studio => json!({"name": "studio"}),
         Lighting::Point(to) => json!({"name": "point", "direction": to.to_array()}),
         Lighting::Around { map, turn } => {
-            let maps = office.maps.read().unwrap_or_else(std::sync::PoisonError::into_inner);
-            let file = maps.get(map).and_then(|map| map.file.as_ref()).map(|file| file.display().to_string());
-            let name = maps.get(map).map(|map| &map.name);
+            let shown = office.maps.get(map).0;
             json!({
-                "name": "environment", "map": name, "file": file, "turn_degrees": turn.to_degrees(),
+                "name": "environment", "map": shown.name, "file": shown.asset.file(), "turn_degrees": turn.to_degrees(),
                 "samples": SAMPLES,
             })
         }
@@ -112,13 +108,12 @@ const fn tour(tour: Tour) -> &'static str {
 }
 
 fn shape(office: &Office, shape: Shape) -> Value {
-    let place = match shape {
-        Shape::Sphere => return json!({"name": "sphere"}),
-        Shape::Plane => return json!({"name": "plane"}),
-        Shape::Mesh(place) => place,
-    };
-    let solids = office.solids.read().unwrap_or_else(std::sync::PoisonError::into_inner);
-    let solid = solids.get(place).or_else(|| solids.first());
-    let file = solid.and_then(|solid| solid.file.as_ref()).map(|file| file.display().to_string());
-    json!({"name": "mesh", "mesh": solid.map(|solid| &solid.name), "file": file})
+    match shape {
+        Shape::Sphere => json!({"name": "sphere"}),
+        Shape::Plane => json!({"name": "plane"}),
+        Shape::Mesh(mesh) => {
+            let shown = office.meshes.get(mesh).0;
+            json!({"name": "mesh", "mesh": shown.name, "file": shown.asset.file()})
+        }
+    }
 }

@@ -12,6 +12,7 @@ use super::job::Job;
 use super::made::{Made, Point};
 use crate::catalog::ExporterEntry;
 use crate::catalog::exporters::Subject;
+use crate::exported;
 use crate::worker::paths::{Prepared, prepare};
 use crate::worker::{Card, Request};
 
@@ -42,8 +43,9 @@ impl Exporter {
             Some(Prepared::Ready(path)) => Ok(path),
             Some(Prepared::Failed(why)) => bail!(why),
             None => {
+                let arrivals = self.office.arrivals();
                 let (path, clock) = prepare(&self.office, &key)?;
-                self.office.keep(key, Prepared::Ready(Arc::clone(&path)), clock);
+                self.office.keep(key, Prepared::Ready(Arc::clone(&path)), clock, arrivals);
                 Ok(path)
             }
         }
@@ -86,31 +88,31 @@ impl Exporter {
         let Shown { material, code, point } = self.shown(&job.shown, card)?;
         self.go_on()?;
         let subject = Subject { material: &material, code: code.as_ref() };
-        Ok(Made { files: form.files(&job.folder.join(&job.name), &subject)?, point })
+        let files = form.files(&job.folder.join(&job.name), &subject)?;
+        self.go_on()?;
+        let errors = vec![exported::error(form, &subject, &files, &self.office.stock.catalog)?];
+        Ok(Made { files, point, errors })
     }
 
     /// The files of all materials along a path.
-    pub(super) fn steps(
-        &self,
-        job: &Job,
-        method: &'static str,
-        form: &ExporterEntry,
-        steps: u16,
-    ) -> Result<Vec<(PathBuf, Vec<u8>)>> {
+    pub(super) fn steps(&self, job: &Job, method: &'static str, form: &ExporterEntry, steps: u16) -> Result<Made> {
         let path = self.path(method, &job.shown)?;
-        let mut files = Vec::new();
+        let (mut files, mut errors) = (Vec::new(), Vec::new());
         for (step, place) in (0..).zip(job.places(steps)?) {
             self.advance(step.into(), steps.into())?;
             let weights = self.weights(method, &job.shown, &place);
             let name = name_of_point(&job.shown.ends, &weights);
             let code = path.code(&weights)?.map(|code| told(code, &name)).transpose()?;
             let material = Material::new(name, Arc::from(path.at(&weights)?));
-            files.extend(form.files(&job.step(step), &Subject { material: &material, code: code.as_ref() })?);
+            let subject = Subject { material: &material, code: code.as_ref() };
+            let of_step = form.files(&job.step(step), &subject)?;
+            errors.push(exported::error(form, &subject, &of_step, &self.office.stock.catalog)?);
+            files.extend(of_step);
             let bytes: usize = files.iter().map(|(_, bytes): &(PathBuf, Vec<u8>)| bytes.len()).sum();
             if bytes > super::MOST_BYTES {
                 break;
             }
         }
-        Ok(files)
+        Ok(Made { files, point: None, errors })
     }
 }

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 use std::sync::atomic::Ordering;
 
-use anyhow::{Context as _, Result};
+use anyhow::{Context as _, Result, bail};
 use nbrdf_core::render::{Frame, Light, Progressive, Sphere, Surfaces};
 use nbrdf_core::sampler::lobe::Lobe;
 use nbrdf_core::{Brdf, Image, Rgb};
@@ -53,7 +53,14 @@ impl Exporter {
     pub(super) fn draw(&self, painter: &mut Painter, brdf: &dyn Brdf, [done, all]: [usize; 2]) -> Result<Image> {
         self.advance(done, all)?;
         Ok(match painter {
-            Painter::Lamps(sphere) => sphere.render(brdf),
+            Painter::Lamps(sphere) => {
+                let mut image = Image::black(sphere.size(), sphere.size());
+                let stops = || self.stop.load(Ordering::Relaxed);
+                if !sphere.render_into_unless(&stops, brdf, &mut image) {
+                    bail!(STOPPED);
+                }
+                image
+            }
             Painter::Around(picture, samples) => {
                 let lobe = Lobe::fit(brdf);
                 picture.restart();

@@ -44,7 +44,8 @@ impl Exporter {
             PictureForm::Png => linear.map(|pixel| toned(pixel, request)),
             PictureForm::Exr => exposed(&linear, request),
         };
-        Ok(Made { files: vec![(job.file(form.extension()), encoded(&image, form)?)], point: shown.point })
+        let files = vec![(job.file(form.extension()), encoded(&image, form)?)];
+        Ok(Made { files, point: shown.point, errors: Vec::new() })
     }
 
     /// Pictures along the paths of all methods, of the whole shape; spheres as `nbrdf blend` draws them.

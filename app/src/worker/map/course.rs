@@ -61,7 +61,7 @@ impl Courses {
         let mut courses = Vec::new();
         let others = request.methods.iter().copied().filter(|method| *method != LATENT);
         for method in std::iter::once(LATENT).chain(others) {
-            let key = Key { ends: Arc::clone(&request.ends), method, timing: request.timing };
+            let key = Key::new(&request.ends, method, request.timing);
             let Some(path) = path(office, &key) else { continue };
             let found = guarded("The path on the map", || self.course(office, chart, path.as_ref(), key, request));
             // Its card says why there is none.
@@ -115,8 +115,9 @@ fn path(office: &Office, key: &Key) -> Option<Arc<dyn Path>> {
         Some(Prepared::Ready(path)) => Some(path),
         None if key.method == LATENT => {
             // An end that does not exist is told by others.
+            let arrivals = office.arrivals();
             let (path, clock) = guarded("The latent path", || paths::prepare(office, key)).ok()?.ok()?;
-            office.keep(key.clone(), Prepared::Ready(Arc::clone(&path)), clock);
+            office.keep(key.clone(), Prepared::Ready(Arc::clone(&path)), clock, arrivals);
             Some(path)
         }
         _ => None,

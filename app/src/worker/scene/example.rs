@@ -1,8 +1,11 @@
 //! Scenes that the program carries, so that there is always one to look at.
 
+use std::sync::Arc;
+
 use anyhow::{Context, Result};
 
 use super::Source;
+use crate::catalog::Catalog;
 use crate::measure::planned::Opened;
 
 /// Name, file, and what it is, for people.
@@ -14,10 +17,10 @@ pub const EXAMPLES: [(&str, &str, &str); 2] = [
 /// What they include.
 const STUDIO: (&str, &str) = ("studio.toml", include_str!("../../../../scenes/studio.toml"));
 
-/// Reads a scene and what it names.
-pub fn open(source: &Source) -> Result<Opened> {
+/// Reads a scene and what it names; its models learn from this catalog.
+pub fn open(source: &Source, catalog: &Arc<Catalog>) -> Result<Opened> {
     let name = match source {
-        Source::File(path) => return Opened::load(path, None, &[]),
+        Source::File(path) => return Opened::load(path, None, &[], catalog),
         Source::Example(name) => name,
     };
     let known = EXAMPLES.iter().find(|(known, ..)| known == name);
@@ -28,5 +31,5 @@ pub fn open(source: &Source) -> Result<Opened> {
     for (file, text) in [(path.as_path(), *text), (&folder.path().join(STUDIO.0), STUDIO.1)] {
         std::fs::write(file, text).with_context(|| file.display().to_string())?;
     }
-    Opened::load(&path, None, &[])
+    Opened::load(&path, None, &[], catalog)
 }

@@ -40,7 +40,9 @@ pub fn run(office: &Office, letters: &Mailbox<Order>) {
 fn serve(desk: Desk, number: &mut u64, mut wish: Wish) -> anyhow::Result<Option<Numbered>> {
     desk.say(News::Reading);
     desk.say(News::Doing("reading the scene, timing the kinds of models".to_owned()));
-    let opened = example::open(&wish.source)?;
+    let busy = desk.office.activity.begin();
+    let opened = example::open(&wish.source, &desk.office.stock.catalog)?;
+    drop(busy);
     desk.say(News::Read(opened.scene.tolerance));
     let models = Models::new(&opened.materials, &opened.ladder);
     for is_draft in [true, false] {
@@ -48,7 +50,10 @@ fn serve(desk: Desk, number: &mut u64, mut wish: Wish) -> anyhow::Result<Option<
         let view = loop {
             desk.say(News::Doing("looking".to_owned()));
             let how = Gathering { seed: SEED, done: &|| (), cancelled: &|| desk.letters.has_news() };
-            match opened.view(&scene, how) {
+            let busy = desk.office.activity.begin();
+            let view = opened.view(&scene, how);
+            drop(busy);
+            match view {
                 Some(view) => break view,
                 None => match desk.next_of(&wish) {
                     Ok(next) => (*number, wish) = next,
@@ -101,6 +106,7 @@ struct Table<'a> {
 impl Table<'_> {
     /// Plans; false if something newer came.
     fn plan(&self, wish: &Wish, is_seen: &mut bool) -> anyhow::Result<bool> {
+        let _busy = self.desk.office.activity.begin();
         let tolerance = wish.tolerance.or(self.opened.scene.tolerance).unwrap_or(TOLERANCE);
         let options = self.opened.options(tolerance, wish.by, usize::MAX);
         if !*is_seen {

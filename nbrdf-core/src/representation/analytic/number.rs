@@ -4,38 +4,38 @@
 const LARGEST_LOGARITHM: f32 = 40.0;
 
 /// A parameter above 0 from its logarithm.
-pub(super) fn positive(number: f32) -> f32 {
+pub(crate) fn positive(number: f32) -> f32 {
     number.clamp(-LARGEST_LOGARITHM, LARGEST_LOGARITHM).exp()
 }
 
 /// Three parameters above 0 from their logarithms.
-pub(super) fn positive_rgb(numbers: &[f32]) -> crate::Rgb {
+pub(crate) fn positive_rgb(numbers: &[f32]) -> crate::Rgb {
     crate::Rgb([positive(numbers[0]), positive(numbers[1]), positive(numbers[2])])
 }
 
 /// The logarithm of a parameter; of 0, that of very little.
-pub(super) fn of_positive(value: f32) -> f32 {
+pub(crate) fn of_positive(value: f32) -> f32 {
     value.max(1e-6).ln()
 }
 
 /// A parameter in a range from the logit of its place there.
-pub(super) fn between(number: f32, [low, high]: [f32; 2]) -> f32 {
+pub(crate) fn between(number: f32, [low, high]: [f32; 2]) -> f32 {
     low + (high - low) / (1.0 + (-number).exp())
 }
 
 /// The logit of a parameter's place in a range; at the ends, that of a place near them.
-pub(super) fn of_between(value: f32, [low, high]: [f32; 2]) -> f32 {
+pub(crate) fn of_between(value: f32, [low, high]: [f32; 2]) -> f32 {
     let place = ((value - low) / (high - low)).clamp(1e-4, 1.0 - 1e-4);
     (place / (1.0 - place)).ln()
 }
 
 /// A parameter above 0 in a range from the logit of its logarithm's place there.
-pub(super) fn log_between(number: f32, range: [f32; 2]) -> f32 {
+pub(crate) fn log_between(number: f32, range: [f32; 2]) -> f32 {
     between(number, range.map(f32::ln)).exp()
 }
 
 /// The inverse of [`log_between`].
-pub(super) fn of_log_between(value: f32, range: [f32; 2]) -> f32 {
+pub(crate) fn of_log_between(value: f32, range: [f32; 2]) -> f32 {
     of_between(value.ln(), range.map(f32::ln))
 }
 

@@ -61,7 +61,7 @@ pub struct Target<'a> {
 
 impl<'a> Target<'a> {
     /// Looks at a material; none where it is not finite.
-    pub(super) fn of(brdf: &dyn Brdf) -> Option<Self> {
+    pub(crate) fn of(brdf: &dyn Brdf) -> Option<Self> {
         let mut values = vec![Rgb::BLACK; PAIRS];
         brdf.eval_prepared(&places().at, &mut values);
         values.iter().all(|f| f.is_finite()).then(|| Self::measured(places(), values))
@@ -73,7 +73,7 @@ impl<'a> Target<'a> {
     }
 
     /// About the reflectance of the base: what a fifth of the pairs with tilted half vectors are below, per channel.
-    pub(super) fn base(&self) -> Rgb {
+    pub(crate) fn base(&self) -> Rgb {
         let tilted = self.places.at.directions().iter().map(|at| at.rusinkiewicz().theta_half > 0.5);
         let seen: Vec<Rgb> = self.values.iter().zip(tilted).filter(|(_, tilted)| *tilted).map(|(f, _)| *f).collect();
         Rgb([0, 1, 2].map(|channel| {
@@ -84,12 +84,12 @@ impl<'a> Target<'a> {
     }
 
     /// k_d of such a base, to begin with: a black channel would not move from its logarithm.
-    pub(super) fn albedo(base: Rgb) -> Rgb {
+    pub(crate) fn albedo(base: Rgb) -> Rgb {
         (base * std::f32::consts::PI).map(|albedo| albedo.max(1e-3))
     }
 
     /// How bright a lobe of this shape is that stands for what is above the base: least squares of f cos θ_i, per channel.
-    pub(super) fn brightness(&self, base: Rgb, shape: &dyn Brdf) -> Rgb {
+    pub(crate) fn brightness(&self, base: Rgb, shape: &dyn Brdf) -> Rgb {
         let places = self.places;
         let mut lobe = vec![Rgb::BLACK; places.at.len()];
         shape.eval_prepared(&places.at, &mut lobe);

@@ -1,13 +1,15 @@
 //! The chart of all representations: speed against accuracy, the materials on the screen marked.
 
-use egui::{ProgressBar, RichText, Ui, Visuals, WidgetInfo};
-use egui_plot::{HoverPosition, Line, MarkerShape, Points};
+use egui::{ProgressBar, RichText, TextStyle, Ui, Visuals, WidgetInfo};
+use egui_plot::{Corner, HoverPosition, Legend, Line, MarkerShape, Points};
 
 use super::lines::{base, powers};
+use super::marks;
 use crate::catalog::Family;
 use crate::gui::session::letter;
 use crate::gui::{Gallery, Session, look};
 use crate::measure::front::{TIE, front};
+use crate::measure::point::title_of;
 use crate::report;
 use crate::worker::{ChartNews, Rival};
 
@@ -15,7 +17,7 @@ use crate::worker::{ChartNews, Rival};
 pub fn button(ui: &mut Ui, news: Option<&ChartNews>) -> Option<bool> {
     let Some((news, doing)) = news.and_then(|news| Some((news, news.doing?))) else {
         let about = "Measures every representation on a few held-out materials and on those shown: a minute or more. \
-                     Rendering meanwhile slows what is measured";
+                     Each waits a second for other work to end, and says so if that goes on";
         return ui.button("Measure all").on_hover_text(about).clicked().then_some(true);
     };
     let share = news.rivals.len() as f32 / news.count.max(1) as f32;
@@ -57,9 +59,13 @@ pub fn show(ui: &mut Ui, session: &Session, gallery: &Gallery) {
         }
         HoverPosition::Elsewhere { .. } => None,
     };
-    let plot = base("chart", hover)
+    let legend = Legend::default().text_style(TextStyle::Small).position(Corner::RightTop).follow_insertion_order(true);
+    let plot = base(ui, "chart", hover)
+        .legend(legend)
+        .x_grid_spacer(marks::round(marks::ACROSS, 1.0))
+        .y_grid_spacer(marks::round(marks::UP, 1.0))
         .x_axis_label("ns per evaluation, one thread")
-        .y_axis_label(metric.replace('_', " "))
+        .y_axis_label(title_of(metric))
         .x_axis_formatter(|mark, _| powers(mark.value))
         .y_axis_formatter(|mark, _| powers(mark.value));
     let faint = ui.visuals().weak_text_color();
@@ -72,7 +78,7 @@ pub fn show(ui: &mut Ui, session: &Session, gallery: &Gallery) {
             plot.points(Points::new(name, points).color(colour).shape(shape).radius(radius).filled(true));
         }
     });
-    let label = format!("Figure: speed against {}; {} models", metric.replace('_', " "), news.rivals.len());
+    let label = format!("Figure: speed against {}; {} models", title_of(metric), news.rivals.len());
     shown.response.widget_info(|| WidgetInfo::labeled(egui::Role::Image, true, &label));
 }
 
@@ -114,10 +120,11 @@ fn mark(rival: &Rival, error: f64, of: &str) -> Option<Mark> {
     let ns = point.times.ns;
     let is_shown = ns > 0.0 && error > 0.0 && ns.is_finite() && error.is_finite();
     let about = format!(
-        "{}\n{} ({of})\n{} ns, {} bytes, {} MB shared",
+        "{}\n{} ({of})\n{} ns{}, {} bytes, {} MB shared",
         point.title(),
         report::figure(error),
         report::figure(ns),
+        if rival.is_disturbed { " (timed while other work ran)" } else { "" },
         point.bytes,
         report::figure(point.shared_bytes as f64 / 1e6)
     );

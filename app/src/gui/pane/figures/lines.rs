@@ -1,10 +1,10 @@
 //! Curves in a plot.
 
-use egui::{TextStyle, Ui, WidgetInfo};
-use egui_plot::{Corner, HLine, HoverPosition, Legend, Line, LineStyle, Plot, VLine};
+use egui::{Ui, WidgetInfo};
+use egui_plot::{HLine, HoverPosition, Line, LineStyle, Plot, VLine};
 
 use super::copy::{Curve, Sheet};
-use super::named;
+use super::{key, marks, named};
 use crate::gui::Session;
 use crate::gui::session::{Figure, Quantity};
 use crate::report;
@@ -12,16 +12,30 @@ use crate::report;
 /// Lowest reflectance \[1/sr\] of a logarithmic axis.
 const DARKEST: f64 = 1e-5;
 
+/// Height of a letter on its side, and of what is below the plot \[points\].
+const LETTER: f32 = 7.5;
+const BELOW: f32 = 46.0;
+
 /// Curves over t, or over an angle.
 pub fn show(ui: &mut Ui, session: &mut Session, sheet: &Sheet) {
+    let written = sheet.y().chars().count() as f32 * LETTER;
+    let is_low = ui.available_height() < written + BELOW;
+    key::beside(ui, sheet, is_low.then(|| sheet.y()), |ui| plot(ui, session, sheet, is_low));
+}
+
+/// One that is low has no room for the name of its vertical axis.
+fn plot(ui: &mut Ui, session: &mut Session, sheet: &Sheet, is_low: bool) {
     let choice = &session.figures;
     let (is_along, is_half) = (choice.figure == Figure::Along, choice.figure == Figure::Half);
     let has_limit = choice.figure == Figure::Albedo || (is_along && choice.quantity == Quantity::Albedo);
     let high = |[x, y]: [f64; 2]| if is_half { [x, y.max(DARKEST).log10()] } else { [x, y] };
     let (curves, x, y) = (sheet.curves.clone(), sheet.x().to_owned(), sheet.y().to_owned());
-    let mut plot = base("curves", hover(curves, x, y)).x_axis_label(sheet.x()).y_axis_label(sheet.y());
+    let mut plot = base(ui, "curves", hover(curves, x, y)).x_axis_label(sheet.x());
+    if !is_low {
+        plot = plot.y_axis_label(sheet.y());
+    }
     if is_half {
-        plot = plot.y_axis_formatter(|mark, _| powers(mark.value));
+        plot = plot.y_axis_formatter(|mark, _| powers(mark.value)).y_grid_spacer(marks::round(marks::UP, 1.0));
     } else {
         plot = plot.include_y(0.0);
     }
@@ -61,14 +75,16 @@ pub fn show(ui: &mut Ui, session: &mut Session, sheet: &Sheet) {
 
 /// A plot that stays in its place: the wheel is the pane's, a click is the figure's; zoom by pinching or with Ctrl, a double
 /// click shows everything again.
-pub fn base<'a>(id: &str, hover: impl Fn(&HoverPosition<'_>) -> Option<String> + 'a) -> Plot<'a> {
-    let legend = Legend::default().text_style(TextStyle::Small).position(Corner::RightTop).follow_insertion_order(true);
+pub fn base<'a>(ui: &Ui, id: &str, hover: impl Fn(&HoverPosition<'_>) -> Option<String> + 'a) -> Plot<'a> {
     Plot::new(id)
         .allow_drag(false)
         .allow_scroll(false)
         .allow_boxed_zoom(false)
         .show_crosshair(false)
-        .legend(legend)
+        .grid_color(ui.visuals().weak_text_color().gamma_multiply(0.3))
+        .grid_fade(0.0)
+        .x_grid_spacer(marks::round(marks::ACROSS, 0.0))
+        .y_grid_spacer(marks::round(marks::UP, 0.0))
         .label_formatter(hover)
 }
 

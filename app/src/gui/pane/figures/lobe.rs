@@ -5,23 +5,32 @@ use egui_plot::{Line, LineStyle, PlotPoint, PlotUi, Text};
 
 use super::copy::{Curve, Sheet};
 use super::lines::{base, hover};
-use super::named;
+use super::{key, named};
 use crate::gui::Session;
 use crate::gui::session::Radius;
 use crate::report;
 
 /// Spokes, in degrees from the normal.
 const SPOKES: [i16; 7] = [-90, -60, -30, 0, 30, 60, 90];
+/// Room below and above, in radii.
+const BELOW: f64 = 0.22;
+const ABOVE: f64 = 1.22;
 
 /// Every curve, up to the horizon; the light comes from the left.
 pub fn show(ui: &mut Ui, session: &Session, sheet: &Sheet) {
+    key::beside(ui, sheet, Some(sheet.y()), |ui| plot(ui, session, sheet));
+}
+
+fn plot(ui: &mut Ui, session: &Session, sheet: &Sheet) {
     let choice = &session.figures;
     let radius = choice.radius;
     let largest = sheet.curves.iter().flat_map(|curve| &curve.points).map(|[_, f]| radius.of(f.max(0.0)));
     let largest = largest.fold(0.0, f64::max).max(1e-6);
     let (curves, x, y) = (sheet.curves.clone(), sheet.x().to_owned(), sheet.y().to_owned());
     let visuals = ui.visuals().clone();
-    let plot = base("lobe", hover(curves, x, y)).data_aspect(1.0).show_axes(false).show_grid(false);
+    let plot = base(ui, "lobe", hover(curves, x, y)).data_aspect(1.0).show_axes(false).show_grid(false);
+    // Room for the numbers around it, in a low pane too.
+    let plot = plot.include_y(-BELOW * largest).include_y(ABOVE * largest);
     let theta_i = f64::from(choice.theta_i);
     let shown = plot.show(ui, |plot| {
         rings(plot, radius, largest, visuals.weak_text_color());
@@ -56,10 +65,12 @@ fn rings(plot: &mut PlotUi<'_>, radius: Radius, largest: f64, colour: egui::Colo
     for share in [0.5, 1.0] {
         plot.line(quiet((-45..=45).map(|step| at(2.0 * f64::from(step), share * largest)).collect()));
         let value = report::figure(radius.back(share * largest));
-        plot.text(text(at(-90.0, share * largest), value).anchor(Align2::CENTER_TOP));
+        plot.text(text([-share * largest, -0.03 * largest], value).anchor(Align2::CENTER_TOP));
     }
     for spoke in SPOKES.map(f64::from) {
         plot.line(quiet(vec![[0.0, 0.0], at(spoke, largest)]));
-        plot.text(text(at(spoke, 1.1 * largest), format!("{:.0}°", spoke.abs())));
+        // The horizon's angles stand beside the numbers of the rings, not on them.
+        let anchor = if spoke < -89.0 { Align2::RIGHT_CENTER } else { Align2::CENTER_CENTER };
+        plot.text(text(at(spoke, 1.1 * largest), format!("{:.0}°", spoke.abs())).anchor(anchor));
     }
 }

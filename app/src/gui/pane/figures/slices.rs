@@ -3,7 +3,7 @@
 use egui::{Align2, Color32, FontId, Label, Pos2, Rect, RichText, ScrollArea, Sense, Ui, Vec2, WidgetInfo, pos2, vec2};
 
 use super::named;
-use crate::gui::{Gallery, Session, look};
+use crate::gui::{Gallery, Session, look, picture};
 use crate::worker::{Card, Picture};
 
 /// Room for the labels of the axes \[points\].
@@ -34,8 +34,7 @@ fn slice(ui: &mut Ui, session: &Session, gallery: &Gallery, card: Card, side: f3
             let rect = Rect::from_min_size(pos2(whole.left() + MARGIN, whole.top()), Vec2::splat(side));
             ui.painter().rect_filled(rect, 2.0, look::card_fill(ui.visuals()));
             if let Some(texture) = gallery.curves.slice(card) {
-                let all = Rect::from_min_max(pos2(0.0, 0.0), pos2(1.0, 1.0));
-                ui.painter().image(texture.id(), rect, all, Color32::WHITE);
+                picture::whole(ui.painter(), texture, rect, Color32::WHITE);
             }
             axes(ui, rect);
             response.widget_info(|| WidgetInfo::labeled(egui::Role::Image, true, format!("Slice of {title}")));

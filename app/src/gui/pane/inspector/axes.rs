@@ -15,7 +15,7 @@ pub fn show(ui: &mut Ui, session: &mut Session, gallery: &Gallery) {
         Some((method, _)) => {
             let title = Catalog::interpolation_entry(method).map_or(method, |entry| entry.title);
             let about = "Measured on the sphere of this method. Moved are all methods that walk through codes of ZNBRDF; \
-                         film strips show paths as they are";
+                         film strips, too; figures along t and what is exported along the path are of the path as it is";
             ui.label(RichText::new(format!("of {title}")).small().weak()).on_hover_text(about);
         }
         None => {
@@ -46,9 +46,9 @@ fn quality(ui: &mut Ui, axis: Axis, amount: &mut f32, measured: Option<&Measured
             let text = measured.map_or("–".to_owned(), |measured| {
                 let [before, after] = [&measured.before, &measured.after].map(|qualities| axis.value(qualities));
                 if (before - after).abs() < 5e-4 {
-                    format!("{before:.3}")
+                    format!("{before:.3}").replace('-', "−")
                 } else {
-                    format!("{before:.3} to {after:.3}")
+                    format!("{before:.3} to {after:.3}").replace('-', "−")
                 }
             });
             let left_over = egui::Layout::right_to_left(egui::Align::Center);

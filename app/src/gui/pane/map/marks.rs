@@ -1,12 +1,12 @@
 //! The materials on the map: pictures where there is room, dots elsewhere.
 
-use egui::{Color32, FontId, Key, Pos2, Rect, Response, Sense, Stroke, StrokeKind, Ui, Vec2, WidgetInfo, pos2, vec2};
+use egui::{Color32, FontId, Pos2, Rect, Response, Sense, Stroke, StrokeKind, Ui, Vec2, WidgetInfo, vec2};
 use nbrdf_core::{Database, Split};
 
 use super::colours;
 use super::frame::Frame;
-use crate::gui::session::Tint;
-use crate::gui::{Gallery, Session, look};
+use crate::gui::session::{Tint, shown};
+use crate::gui::{Gallery, Session, look, picture, put};
 use crate::report::figure;
 use crate::worker::Spot;
 
@@ -75,9 +75,8 @@ impl<'a> Marks<'a> {
         let texture = self.gallery.thumbnail(&mark.spot.name).filter(|_| mark.is_picture);
         match texture {
             Some(texture) => {
-                let whole = Rect::from_min_max(pos2(0.0, 0.0), pos2(1.0, 1.0));
                 let rect = Rect::from_center_size(mark.at, Vec2::splat(2.0 * radius));
-                painter.image(texture.id(), rect, whole, Color32::WHITE);
+                picture::whole(painter, texture, rect, Color32::WHITE);
                 if is_held_out {
                     painter.extend(colours::dashed(mark.at, radius, tint.unwrap_or(quiet)));
                 } else if let Some(tint) = tint {
@@ -108,13 +107,11 @@ impl<'a> Marks<'a> {
         response.widget_info(|| {
             WidgetInfo::selected(egui::Role::Button, true, mark.end.is_some(), format!("{name} on the map"))
         });
-        let (shift, a, b) =
-            ui.input(|input| (input.modifiers.shift, input.key_pressed(Key::A), input.key_pressed(Key::B)));
         if response.clicked() {
+            let shift = ui.input(|input| input.modifiers.shift);
             self.session.blend.choose(usize::from(shift), name);
-        } else if response.has_focus() && (a || b) {
-            self.session.blend.choose(usize::from(b), name);
         }
+        put::by_letter(ui, &response, &mut self.session.blend, name);
         let tint = self.session.map.tint;
         response.on_hover_ui(|ui| {
             ui.strong(name);
@@ -127,7 +124,7 @@ impl<'a> Marks<'a> {
         let mut taken: Vec<Rect> = Vec::new();
         let is_named = |mark: &&Mark<'_>| mark.is_picture && (mark.end.is_some() || self.session.map.zoom >= NAMED);
         for mark in marks.iter().filter(is_named) {
-            let name = mark.spot.name.strip_prefix("rgl/").unwrap_or(&mark.spot.name);
+            let name = shown(&mark.spot.name);
             let colour = ui.visuals().text_color();
             let galley = ui.painter().layout_no_wrap(name.to_owned(), FontId::proportional(11.0), colour);
             let corner = mark.at + vec2(-0.5 * galley.size().x, 0.5 * side + 1.0);
@@ -176,6 +173,8 @@ fn with_room(points: &[Pos2], side: f32) -> Vec<bool> {
 
 #[cfg(test)]
 mod tests {
+    use egui::pos2;
+
     use super::*;
 
     #[test]

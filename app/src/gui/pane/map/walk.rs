@@ -4,14 +4,16 @@ use egui::{Align2, CursorIcon, FontId, Pos2, Rect, Sense, Shape, Stroke, Ui, Vec
 
 use super::frame::Frame;
 use crate::catalog::Catalog;
-use crate::gui::look;
 use crate::gui::session::Session;
+use crate::gui::{look, travel};
 use crate::worker::{Course, Track};
 
 /// How near to a curve it is meant \[points\].
 const REACH: f32 = 7.0;
 /// Side of a place that can be dragged.
 const HANDLE: f32 = 20.0;
+/// How far a key press moves it \[points\].
+const STEP: f32 = 6.0;
 
 /// All curves.
 pub fn curves(ui: &Ui, frame: &Frame, track: &Track) {
@@ -66,6 +68,12 @@ fn handle(ui: &Ui, frame: &Frame, session: &mut Session, at: Pos2, name: &str, a
     {
         super::explore(session, frame, pointer);
     }
+    if let Some([x, y]) = travel::steps(ui, &handle) {
+        let explored = session.explored.filter(|explored| explored.projection == session.map.projection);
+        let from = explored.map_or(at, |explored| frame.point(explored.place));
+        super::explore(session, frame, from + STEP * vec2(x, -y));
+    }
+    look::focus(ui.painter(), &handle, ui.visuals());
     handle.on_hover_cursor(CursorIcon::Grab).on_hover_text(about);
 }
 

@@ -5,9 +5,8 @@ use egui::{
     WidgetInfo, vec2,
 };
 
-use super::thumbnail;
-use crate::gui::session::Listing;
-use crate::gui::{Gallery, look};
+use crate::gui::session::{Listing, shown};
+use crate::gui::{Gallery, look, picture};
 
 const ROW: f32 = 28.0;
 const WIDTH: f32 = 220.0;
@@ -61,10 +60,9 @@ fn row(ui: &mut Ui, gallery: &Gallery, name: &str) -> Response {
         painter.rect_filled(rect, look::ROUND, visuals.selection.bg_fill);
     }
     let ball = Rect::from_center_size(rect.left_center() + vec2(16.0, 0.0), vec2(24.0, 24.0));
-    thumbnail::paint(ui, gallery, name, ball);
-    let shown = name.strip_prefix("rgl/").unwrap_or(name);
+    picture::ball(ui.painter(), gallery.thumbnail(name), ball, ui.visuals());
     let at = rect.left_center() + vec2(36.0, 0.0);
     let painter = painter.with_clip_rect(rect.intersect(ui.clip_rect()));
-    painter.text(at, Align2::LEFT_CENTER, shown, FontId::proportional(12.5), visuals.text_color());
+    painter.text(at, Align2::LEFT_CENTER, shown(name), FontId::proportional(12.5), visuals.text_color());
     row.on_hover_text(name)
 }

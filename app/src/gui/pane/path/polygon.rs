@@ -1,12 +1,9 @@
 //! The polygon with a material at each corner, and the place in it.
 
-use egui::{
-    Align2, Color32, EventFilter, FontId, Key, Mesh, Pos2, Rect, Response, Sense, Stroke, Ui, Vec2, WidgetInfo, vec2,
-};
+use egui::{Align2, Color32, FontId, Mesh, Pos2, Rect, Response, Sense, Stroke, Ui, Vec2, WidgetInfo, vec2};
 
-use super::thumbnail;
 use crate::gui::session::{Blend, corners};
-use crate::gui::{Gallery, look};
+use crate::gui::{Gallery, look, picture, travel};
 
 /// Room around the polygon for thumbnails and numbers \[points\].
 const RIM: f32 = 34.0;
@@ -39,23 +36,10 @@ pub fn show(ui: &mut Ui, blend: &mut Blend, gallery: &Gallery, side: f32) {
 }
 
 fn keys(ui: &Ui, area: &Response, blend: &mut Blend) {
-    let filter = EventFilter { horizontal_arrows: true, vertical_arrows: true, ..EventFilter::default() };
-    ui.memory_mut(|memory| memory.set_focus_lock_filter(area.id, filter));
-    if !area.has_focus() {
-        return;
+    if let Some([x, y]) = travel::steps(ui, area) {
+        blend.move_to([blend.place[0] + STEP * x, blend.place[1] + STEP * y]);
     }
-    let ways = [
-        (Key::ArrowLeft, [-1.0, 0.0]),
-        (Key::ArrowRight, [1.0, 0.0]),
-        (Key::ArrowUp, [0.0, 1.0]),
-        (Key::ArrowDown, [0.0, -1.0]),
-    ];
-    for (key, [x, y]) in ways {
-        for _ in 0..ui.input(|input| input.num_presses(key)) {
-            blend.move_to([blend.place[0] + STEP * x, blend.place[1] + STEP * y]);
-        }
-    }
-    if ui.input(|input| input.key_pressed(Key::Home)) {
+    if travel::is_home(ui, area) {
         blend.move_to([0.0; 2]);
     }
 }
@@ -86,7 +70,8 @@ fn ends(ui: &Ui, blend: &Blend, gallery: &Gallery, places: &[Pos2], middle: Pos2
     for ((end, &corner), weight) in places.iter().enumerate().zip(weights.as_slice()) {
         let outwards = (corner - middle).normalized();
         let ball = corner + 0.5 * THUMBNAIL * outwards;
-        thumbnail::paint(ui, gallery, &blend.ends[end], Rect::from_center_size(ball, Vec2::splat(THUMBNAIL)));
+        let rect = Rect::from_center_size(ball, Vec2::splat(THUMBNAIL));
+        picture::ball(painter, gallery.thumbnail(&blend.ends[end]), rect, visuals);
         let side = if outwards.x < -0.1 { -1.0 } else { 1.0 };
         look::badge(painter, ball + vec2(side * 11.0, 10.0), end, true, visuals);
         let at = corner - 14.0 * outwards;

@@ -1,12 +1,12 @@
 //! The materials that are blended, as chips: to change, to take out, to add, to bring into another order.
 
 use egui::text::{LayoutJob, TextWrapping};
-use egui::{Button, FontId, Rect, Response, Sense, Stroke, StrokeKind, Ui, WidgetInfo, pos2, vec2};
+use egui::{Button, FontId, Id, Key, Rect, Response, Sense, Stroke, StrokeKind, Ui, WidgetInfo, pos2, vec2};
 
-use super::{materials, thumbnail};
+use super::materials;
 use crate::gui::drag::MaterialName;
-use crate::gui::session::{MOST_ENDS, letter};
-use crate::gui::{Gallery, Session, look};
+use crate::gui::session::{MOST_ENDS, letter, shown};
+use crate::gui::{Gallery, Session, look, picture, travel};
 
 const WIDE: f32 = 148.0;
 const TALL: f32 = 38.0;
@@ -52,22 +52,45 @@ fn chip(ui: &mut Ui, session: &Session, gallery: &Gallery, end: usize) -> Option
     let is_target = chip.dnd_hover_payload::<Slot>().is_some() || chip.dnd_hover_payload::<MaterialName>().is_some();
     paint(ui, rect, &chip, is_target);
     let ball = Rect::from_center_size(rect.left_center() + vec2(21.0, 0.0), vec2(30.0, 30.0));
-    thumbnail::paint(ui, gallery, name, ball);
+    picture::ball(ui.painter(), gallery.thumbnail(name), ball, ui.visuals());
     look::badge(ui.painter(), ball.right_bottom() - vec2(3.0, 5.0), end, true, ui.visuals());
     let right = rect.right() - if has_remove { REMOVE + 6.0 } else { 6.0 };
     let left = ball.right() + 10.0;
-    let shown = name.strip_prefix("rgl/").unwrap_or(name);
-    let mut job = LayoutJob::simple_singleline(shown.to_owned(), FontId::proportional(12.5), ui.visuals().text_color());
+    let mut job =
+        LayoutJob::simple_singleline(shown(name).to_owned(), FontId::proportional(12.5), ui.visuals().text_color());
     job.wrap = TextWrapping::truncate_at_width((right - left).max(0.0));
     let text = ui.painter().layout_job(job);
     let at = pos2(left, rect.center().y - 0.5 * text.size().y);
     ui.painter().galley(at, text, ui.visuals().text_color());
-    let is_removed = has_remove && remove(ui, rect, end);
-    let chip = chip.on_hover_text(format!("{name}: click to change, drag onto another to reorder"));
+    let is_removed = has_remove && (remove(ui, rect, end) || is_deleted(ui, &chip));
+    if let Some(to) = moved(ui, &chip, end, session.blend.ends.len()) {
+        return Some(Change::Reorder(end, to));
+    }
+    let chip = chip.on_hover_text(format!("{name}: click to change, drag onto another or press arrow keys to reorder"));
     if is_removed {
         return Some(Change::Remove(end));
     }
     taken(ui, &chip, end).or_else(|| Some(Change::Choose(end, materials::choose(&chip, gallery)?)))
+}
+
+/// Where arrow keys move a chip in focus to, which keeps the focus there.
+fn moved(ui: &Ui, chip: &Response, end: usize, count: usize) -> Option<usize> {
+    let (moved, pass) = (Id::unique("slot that was moved"), ui.ctx().cumulative_pass_nr());
+    // Not in the same pass: the key that moved one chip would move the next as well.
+    if ui.data(|data| data.get_temp::<(usize, u64)>(moved)).is_some_and(|(to, at)| to == end && at < pass) {
+        ui.data_mut(|data| data.remove::<(usize, u64)>(moved));
+        chip.request_focus();
+    }
+    let [across, _] = travel::steps(ui, chip)?;
+    let to = if across > 0.0 { end + 1 } else { end.checked_sub(1)? };
+    (to < count).then(|| ui.data_mut(|data| data.insert_temp(moved, (to, pass))))?;
+    // The focus follows in the next frame, and keeps arrow keys from the one after.
+    ui.ctx().request_repaint();
+    Some(to)
+}
+
+fn is_deleted(ui: &Ui, chip: &Response) -> bool {
+    chip.has_focus() && ui.input(|input| input.key_pressed(Key::Delete))
 }
 
 /// What is dropped here.

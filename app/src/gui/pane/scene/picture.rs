@@ -1,10 +1,10 @@
 //! The picture: of the materials themselves, of their models, or of the difference.
 
-use egui::{Color32, Rect, Sense, Stroke, Ui, WidgetInfo, pos2, vec2};
+use egui::{Color32, Rect, Sense, Stroke, Ui, WidgetInfo, vec2};
 
 use crate::gui::gallery::Tableau;
-use crate::gui::look;
 use crate::gui::session::{Scene, Shown};
+use crate::gui::{look, picture};
 use crate::report::figure;
 
 const CHOICES: [(Shown, &str, &str); 3] = [
@@ -44,10 +44,7 @@ pub fn show(ui: &mut Ui, scene: &mut Scene, tableau: &Tableau, [width, height]: 
         Shown::Difference => &tableau.difference,
     };
     match texture {
-        Some(texture) => {
-            let whole = Rect::from_min_max(pos2(0.0, 0.0), pos2(1.0, 1.0));
-            ui.painter().image(texture.id(), rect, whole, Color32::WHITE);
-        }
+        Some(texture) => picture::whole(ui.painter(), texture, rect, Color32::WHITE),
         None => {
             ui.painter().rect_filled(rect, 0.0, ui.visuals().faint_bg_color);
         }
@@ -67,6 +64,7 @@ pub fn show(ui: &mut Ui, scene: &mut Scene, tableau: &Tableau, [width, height]: 
             None => scene.selected = None,
         }
     }
+    look::focus(ui.painter(), &picture, ui.visuals());
     if picture.hovered() {
         picture.on_hover_text_at_pointer(under.unwrap_or("No object; click one to select it"));
     }

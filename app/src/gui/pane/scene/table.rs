@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use egui::text::{LayoutJob, TextWrapping};
-use egui::{Color32, FontId, Galley, Rect, Response, Sense, Stroke, StrokeKind, Ui, WidgetInfo, pos2, vec2};
+use egui::{Color32, FontId, Galley, Rect, Response, Sense, Ui, WidgetInfo, pos2, vec2};
 
 use crate::gui::look;
 use crate::gui::session::Scene;
@@ -92,10 +92,7 @@ fn ground(ui: &Ui, rect: Rect, response: &Response, is_selected: bool) {
     } else if response.hovered() {
         painter.rect_filled(rect, look::ROUND, visuals.faint_bg_color);
     }
-    if response.has_focus() {
-        let stroke = Stroke::new(1.5, visuals.selection.stroke.color);
-        painter.rect_stroke(rect, look::ROUND, stroke, StrokeKind::Inside);
-    }
+    look::focus(painter, response, visuals);
 }
 
 /// Places of the columns.

@@ -1,24 +1,18 @@
-"""Golden numbers for reading RGL `.bsdf` files, by Mitsuba 3: tests/golden/rgl.json, and a brushed metal of our own making,
-tests/golden/brushed.bsdf, since none of the measured files at hand changes when it is turned.
-
-    pip install mitsuba && python scripts/make_golden_rgl.py
-
-Mitsuba is no dependency of the other scripts: nothing but this file needs it. The four measured files come from NBRDF_DATA;
-the golden file holds directions and a few results, never a measured table.
-"""
+"""What RGL `.bsdf` files hold, read by Mitsuba 3, and a brushed metal of our own making, since none of the measured files at
+hand changes when it is turned. The four measured files come from NBRDF_DATA; what is written holds directions and a few
+results, never a measured table."""
 
 import json
 import struct
+import tempfile
 from pathlib import Path
 
 import mitsuba
 import numpy as np
 
 from nbrdf_jax import data
+from nbrdf_jax.invalid import InvalidFile
 
-GOLDEN = Path(__file__).resolve().parents[1] / "tests" / "golden"
-OUTPUT = GOLDEN / "rgl.json"
-BRUSHED = GOLDEN / "brushed.bsdf"
 MATERIALS = ("cc_ibiza_sunset", "cg_sunflower", "colodur_napoli_4f", "paper_white")
 COUNT = 24
 
@@ -31,7 +25,7 @@ def hemisphere(random: np.random.Generator) -> np.ndarray:
     return np.stack([sine * np.cos(phi), sine * np.sin(phi), cosine], axis=1)
 
 
-def write_fields(path: Path, fields: dict[str, np.ndarray]) -> None:
+def tensor_file(fields: dict[str, np.ndarray]) -> bytes:
     """A tensor file: a header of names, types and shapes, then the numbers."""
     kinds = {np.dtype(np.uint8): 1, np.dtype(np.float32): 10}
     start = 18 + sum(2 + len(name) + 2 + 1 + 8 + 8 * values.ndim for name, values in fields.items())
@@ -40,10 +34,10 @@ def write_fields(path: Path, fields: dict[str, np.ndarray]) -> None:
         header += struct.pack("<H", len(name)) + name.encode() + struct.pack("<HB", values.ndim, kinds[values.dtype])
         header += struct.pack("<Q", start + len(data)) + struct.pack(f"<{values.ndim}Q", *values.shape)
         data += values.tobytes()
-    path.write_bytes(header + data)
+    return header + data
 
 
-def write_brushed(path: Path) -> None:
+def brushed() -> bytes:
     """GGX, rougher across the brush than along it, at the half vectors of a grid; f cos θ without the Jacobian."""
     phi, theta = np.linspace(-np.pi, np.pi, 9), np.linspace(0, 1.5, 4)
     x, y = np.meshgrid(*[np.linspace(0, 1, 12)] * 2)
@@ -67,7 +61,7 @@ def write_brushed(path: Path) -> None:
             "luminance": rgb.mean(axis=2), "rgb": rgb,
         }.items()},
     }
-    write_fields(path, fields)
+    return tensor_file(fields)
 
 
 def spherical(theta: np.ndarray, phi: np.ndarray) -> np.ndarray:
@@ -75,30 +69,33 @@ def spherical(theta: np.ndarray, phi: np.ndarray) -> np.ndarray:
     return np.stack([np.sin(theta) * np.cos(phi), np.sin(theta) * np.sin(phi), np.cos(theta)], axis=-1)
 
 
-def main() -> None:
+def rgl() -> bytes:
+    """f_r of every file at the same pairs."""
     mitsuba.set_variant("scalar_rgb")
     random = np.random.default_rng(5)
     light, view = hemisphere(random), hemisphere(random)
-    values = {}
-    write_brushed(BRUSHED)
-    for name in (*MATERIALS, BRUSHED.stem):
-        path = data.folder() / "rgl_measured" / f"{name}_rgb.bsdf" if name in MATERIALS else BRUSHED
-        bsdf = mitsuba.load_dict({"type": "measured", "filename": str(path)})
-        rows = []
-        for to_light, to_view in zip(light, view):
-            surface = mitsuba.SurfaceInteraction3f()
-            surface.wi = to_view.tolist()
-            surface.wavelengths = []
-            # Mitsuba gives f cos θ of the light, and keeps what noise has taken below zero.
-            value = np.array(bsdf.eval(mitsuba.BSDFContext(), surface, to_light.tolist())) / to_light[2]
-            rows.append([float(f"{v:.6g}") for v in np.maximum(value, 0)])
-        values[name] = rows
+    with tempfile.TemporaryDirectory() as folder:
+        own = Path(folder) / "brushed.bsdf"
+        own.write_bytes(brushed())
+        paths = {name: data.folder() / "rgl_measured" / f"{name}_rgb.bsdf" for name in MATERIALS} | {own.stem: own}
+        values = {name: values_of(path, light, view) for name, path in paths.items()}
     digits = [[float(f"{v:.9g}") for v in row] for row in light], [[float(f"{v:.9g}") for v in row] for row in view]
-    golden = {"schema": 1, "about": "f_r [1/sr] clamped at 0 by Mitsuba " + mitsuba.__version__ + ", plugin measured, scalar_rgb", "light": digits[0], "view": digits[1], "f": values}
-    text = json.dumps(golden, separators=(",", ":")).replace("],[", "],\n[")
-    OUTPUT.write_text(text + "\n")
-    print(OUTPUT)
+    about = f"f_r [1/sr] clamped at 0 by Mitsuba {mitsuba.__version__}, plugin measured, scalar_rgb"
+    golden = {"schema": 1, "command": "python scripts/make_golden.py rgl", "about": about, "light": digits[0], "view": digits[1], "f": values}
+    return (json.dumps(golden, separators=(",", ":")).replace("],[", "],\n[") + "\n").encode()
 
 
-if __name__ == "__main__":
-    main()
+def values_of(path: Path, light: np.ndarray, view: np.ndarray) -> list[list[float]]:
+    """f_r [pairs, 3] of one file, clamped at 0."""
+    if not path.is_file():
+        raise InvalidFile(path, "a measured material", "no such file", "set NBRDF_DATA")
+    bsdf = mitsuba.load_dict({"type": "measured", "filename": str(path)})
+    rows = []
+    for to_light, to_view in zip(light, view):
+        surface = mitsuba.SurfaceInteraction3f()
+        surface.wi = to_view.tolist()
+        surface.wavelengths = []
+        # Mitsuba gives f cos θ of the light, and keeps what noise has taken below zero.
+        value = np.array(bsdf.eval(mitsuba.BSDFContext(), surface, to_light.tolist())) / to_light[2]
+        rows.append([float(f"{v:.6g}") for v in np.maximum(value, 0)])
+    return rows

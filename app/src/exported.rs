@@ -1,0 +1,80 @@
+//! What is told of files that were written: command line and window tell the same.
+
+use std::path::PathBuf;
+
+use anyhow::Result;
+use nbrdf_core::hash::{sha256, short_hash};
+use nbrdf_core::metric::LinearErrors;
+use nbrdf_core::render::Sphere;
+use nbrdf_core::{Brdf, Database, Material};
+use serde_json::{Value, json};
+
+use crate::catalog::exporters::Subject;
+use crate::catalog::{Catalog, ExporterEntry};
+use crate::command::fit::judge::table_error;
+
+/// A file by name, length and checksum.
+pub fn file((path, bytes): &(PathBuf, Vec<u8>)) -> Value {
+    let name = path.file_name().unwrap_or_default().to_string_lossy();
+    json!({"name": name, "bytes": bytes.len(), "sha256": sha256(bytes)})
+}
+
+/// A material by name, database and network.
+pub fn material(name: &str, material: Option<&Material>) -> Value {
+    let network = material.and_then(|material| material.network.as_ref());
+    let hash = network.map(|network| short_hash(network.weights().iter().copied()));
+    json!({"name": name, "database": Database::of(name).to_string(), "network": hash})
+}
+
+/// What the files stand for, read again, against what was written: `log_error`, PSNR under `studio`, and by how much the mean
+/// of linear pictures differs (the worst of channels, `point` and `studio`). Null for forms that are not read here.
+///
+/// # Errors
+/// If the files cannot be read again.
+pub fn error(
+    form: &ExporterEntry,
+    subject: &Subject<'_>,
+    files: &[(PathBuf, Vec<u8>)],
+    catalog: &Catalog,
+) -> Result<Value> {
+    let bytes: Vec<&[u8]> = files.iter().map(|(_, bytes)| bytes.as_slice()).collect();
+    let Some(read) = form.read_back(&bytes, catalog)? else { return Ok(Value::Null) };
+    let source = subject.material.brdf.as_ref();
+    let mut error = table_error(source, read.as_ref(), subject.changes_when_turned());
+    error["image_mean_error"] = light_error(source, read.as_ref()).of_mean.into();
+    Ok(error)
+}
+
+/// How far the light of spheres differs, under either standard light.
+fn light_error(source: &dyn Brdf, read: &dyn Brdf) -> LinearErrors {
+    let of = |sphere: &Sphere| LinearErrors::of(&sphere.render(source), &sphere.render(read), sphere.covered());
+    of(Sphere::point()).max(of(Sphere::studio()))
+}
+
+/// The manifest of one material that is no point of a walk in the window.
+///
+/// # Errors
+/// As [`error`].
+pub fn manifest(
+    form: &ExporterEntry,
+    subject: &Subject<'_>,
+    files: &[(PathBuf, Vec<u8>)],
+    catalog: &Catalog,
+    command: &str,
+) -> Result<Value> {
+    let name = &subject.material.name;
+    Ok(json!({
+        "schema": 1,
+        "nbrdf": env!("CARGO_PKG_VERSION"),
+        "what": "material",
+        "form": form.name,
+        "convention": form.convention,
+        "material": name,
+        "materials": [material(name, Some(subject.material))],
+        "code": subject.code,
+        "checkpoint": subject.code.map(|code| &code.checkpoint),
+        "error": error(form, subject, files, catalog)?,
+        "files": files.iter().map(file).collect::<Vec<_>>(),
+        "command": command,
+    }))
+}
