@@ -22,7 +22,7 @@ from nbrdf_jax.families import Family
 from nbrdf_jax.family_ends import FamilyEnds
 from nbrdf_jax.fitted_library import Entry, Provenance
 from nbrdf_jax.interpolation import Codes, Walked, standard_pairs
-from nbrdf_jax.invalid import InvalidFile
+from nbrdf_jax.invalid import InvalidFile, exit_code
 from nbrdf_jax.learned import Learned
 from nbrdf_jax.library import Library
 from nbrdf_jax.side_by_side import aligned, summary, table, written
@@ -157,14 +157,7 @@ def main(argv: list[str] | None = None) -> int:
     arguments.refine |= not arguments.quick and arguments.report is None
     if arguments.results is None and arguments.report is None and RESULTS.is_file():
         arguments.results = RESULTS
-    try:
-        return run(arguments)
-    except InvalidFile as error:
-        print(f"error: {error}", file=sys.stderr)
-        return 3
-    except OSError as error:
-        print(f"error: {error.filename}: {error.strerror}", file=sys.stderr)
-        return 3
+    return exit_code(lambda: run(arguments))
 
 
 if __name__ == "__main__":

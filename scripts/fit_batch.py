@@ -28,7 +28,7 @@ from nbrdf_jax import batch_fit, data, fitted_library, library, metrics, sample_
 from nbrdf_jax.batch_fit import Options
 from nbrdf_jax.evaluation import of_network
 from nbrdf_jax.fitted_library import Entry, Provenance, sha256, whole
-from nbrdf_jax.invalid import InvalidFile
+from nbrdf_jax.invalid import InvalidFile, exit_code
 from nbrdf_jax.places import Reflectance, walked
 from nbrdf_jax.sample_sets import SampleSets
 from nbrdf_jax.sources import Source
@@ -161,14 +161,7 @@ def main(argv: list[str] | None = None) -> int:
         parser.error("give a source, or --synthetic N")
     if min(arguments.steps, arguments.chunk) < 1 or min(arguments.synthetic, arguments.sets, arguments.seed) < 0:
         parser.error("--steps and --chunk are at least 1, --synthetic, --sets and --seed at least 0")
-    try:
-        return run(arguments)
-    except InvalidFile as error:
-        print(f"error: {error}", file=sys.stderr)
-        return 3
-    except OSError as error:
-        print(f"error: {error.filename}: {error.strerror}", file=sys.stderr)
-        return 3
+    return exit_code(lambda: run(arguments))
 
 
 if __name__ == "__main__":

@@ -15,6 +15,7 @@ pub mod measure;
 pub mod output;
 pub mod progress;
 pub mod report;
+pub mod shell;
 pub mod strip;
 pub mod visible;
 #[cfg(feature = "gui")]

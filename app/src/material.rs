@@ -17,6 +17,7 @@ pub use code_file::{MAX_NUMBERS, STDIN, parse_code, read_code};
 
 use crate::catalog::{Catalog, Reference};
 use crate::failure::Failure;
+use crate::shell::quoted;
 
 /// Where names and codes are looked up.
 #[derive(Debug, Clone, Args)]
@@ -31,7 +32,7 @@ pub struct Sources {
 
 impl Sources {
     /// The options that were given, as a command line has them after its arguments.
-    pub fn options(&self, quoted: impl Fn(&str) -> String) -> String {
+    pub fn options(&self) -> String {
         let given = [("library", &self.library), ("checkpoint", &self.checkpoint)];
         let option = |(name, path): (&str, &Option<PathBuf>)| {
             path.as_ref().map(|path| format!(" --{name} {}", quoted(&path.to_string_lossy())))

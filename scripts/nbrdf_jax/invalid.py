@@ -1,5 +1,7 @@
 """The one error of everything that reads a file: which file, what was expected, what was found, what to do."""
 
+import sys
+from collections.abc import Callable
 from pathlib import Path
 
 
@@ -9,3 +11,14 @@ class InvalidFile(Exception):
     def __init__(self, path: Path | str, expected: str, found: str, remedy: str = "") -> None:
         lines = [f"{path}: expected {expected}, found {found}"]
         super().__init__("\n".join(lines + ([f"  try: {remedy}"] if remedy else [])))
+
+
+def exit_code(run: Callable[[], int]) -> int:
+    """What `run` returns; 3, with the reason on standard error, where a file is missing or invalid."""
+    try:
+        return run()
+    except InvalidFile as error:
+        print(f"error: {error}", file=sys.stderr)
+    except OSError as error:
+        print(f"error: {error.filename}: {error.strerror}", file=sys.stderr)
+    return 3

@@ -17,6 +17,7 @@ use crate::exported;
 use crate::failure::Failure;
 use crate::material::{Item, Shelf, Sources};
 use crate::measure::guard;
+use crate::shell::quoted;
 use crate::{output, progress, report};
 use destination::Destination;
 
@@ -102,7 +103,7 @@ impl Export {
     /// What makes the files of one material again.
     fn command(&self, argument: &str, form: &ExporterEntry, stem: &Path) -> String {
         let output = format!("{} -o {}", form.name, quoted(&stem.to_string_lossy()));
-        format!("nbrdf export {} --to {output}{}", quoted(argument), self.sources.options(quoted))
+        format!("nbrdf export {} --to {output}{}", quoted(argument), self.sources.options())
     }
 
     /// Writes one material, unless it is only measured; what is told of it.
@@ -122,12 +123,6 @@ impl Export {
         }
         Ok(told)
     }
-}
-
-/// As a shell takes it for one word.
-fn quoted(name: &str) -> String {
-    let is_plain = |c: char| c.is_ascii_alphanumeric() || "-_./".contains(c);
-    if name.chars().all(is_plain) { name.to_owned() } else { format!("'{}'", name.replace('\'', r"'\''")) }
 }
 
 fn line(export: &Value) -> String {

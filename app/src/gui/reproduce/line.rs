@@ -4,6 +4,7 @@ use nbrdf_core::library::builtin;
 
 use crate::gui::Session;
 use crate::gui::session::LAMP;
+use crate::shell::quoted;
 use crate::worker::Lighting;
 
 /// A line for the shell, and what it cannot say.
@@ -59,14 +60,5 @@ impl Line {
         let is_harmless = |letter: char| letter.is_alphanumeric() || " .,:-_/".contains(letter);
         let remarks = self.remarks.join(", ").replace(|letter: char| !is_harmless(letter), " ");
         if remarks.is_empty() { command } else { format!("{command} # {remarks}") }
-    }
-}
-
-/// A word that a shell takes as it is.
-fn quoted(word: &str) -> String {
-    let is_plain = |letter: char| letter.is_ascii_alphanumeric() || "-_./,=+:@%".contains(letter);
-    match !word.is_empty() && word.chars().all(is_plain) {
-        true => word.to_owned(),
-        false => format!("'{}'", word.replace('\'', r"'\''")),
     }
 }
