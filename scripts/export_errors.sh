@@ -1,11 +1,12 @@
 #!/usr/bin/env bash
-# How far every form that is read back is from the published networks of the 100 MERL materials, into docs/exports.json: two
-# minutes on two cores, most of them for tables. Nothing is written but that file and reports in target/exports.
+# How far every form that is read back is from the published networks of the 100 MERL materials, into docs/exports.json: a
+# quarter of an hour on two cores, most of it for fits of standard models. Nothing else is written but reports in
+# target/exports.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 export NBRDF_DATA="${NBRDF_DATA:-$PWD/../shared/data}"
 nbrdf="${CARGO_TARGET_DIR:-target}/release/nbrdf"
-[ -x "$nbrdf" ] || cargo build --release
+cargo build --release --workspace --bins
 out=target/exports
 mkdir -p "$out"
 library=$NBRDF_DATA/merl_nbrdf.zip

@@ -1,9 +1,10 @@
-# Sourced by scripts whose programs draw with wgpu: makes sure of Vulkan in software (lavapipe) where it may be installed, and has
-# tests insist on it where it is there.
+# Sourced by scripts whose programs draw with wgpu: makes sure of Vulkan in software (lavapipe) and of a compiler of HLSL (glslang)
+# where they may be installed, and has tests insist on Vulkan where it is there.
 if [ "$(uname)" = Linux ]; then
     has_lavapipe() { compgen -G '/usr/share/vulkan/icd.d/lvp_icd*.json' >/dev/null; }
-    if ! has_lavapipe && [ "$(id -u)" = 0 ] && command -v apt-get >/dev/null; then
-        { apt-get update -q && apt-get install -qy libvulkan1 mesa-vulkan-drivers; } || echo "lavapipe could not be installed" >&2
+    has_all() { has_lavapipe && command -v glslangValidator >/dev/null; }
+    if ! has_all && [ "$(id -u)" = 0 ] && command -v apt-get >/dev/null; then
+        { apt-get update -q && apt-get install -qy libvulkan1 mesa-vulkan-drivers glslang-tools; } || echo "lavapipe and glslang could not be installed" >&2
     fi
     if has_lavapipe; then
         export NBRDF_REQUIRE_VULKAN="${NBRDF_REQUIRE_VULKAN:-1}"

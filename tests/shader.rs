@@ -6,6 +6,8 @@ mod c;
 mod driver;
 #[path = "shader/gpu.rs"]
 mod gpu;
+#[path = "shader/hlsl.rs"]
+mod hlsl;
 #[path = "shader/program.rs"]
 mod program;
 #[path = "shader/rust.rs"]

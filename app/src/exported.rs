@@ -26,8 +26,9 @@ pub fn material(name: &str, material: Option<&Material>) -> Value {
     json!({"name": name, "database": Database::of(name).to_string(), "network": hash})
 }
 
-/// What the files stand for, read again, against what was written: `log_error`, PSNR under `studio`, and by how much the mean
-/// of linear pictures differs (the worst of channels, `point` and `studio`). Null for forms that are not read here.
+/// What the files stand for, read again, against what was written: `log_error`, PSNR under `studio`, by how much the mean of
+/// linear pictures differs, and which share of their light is in another place (the worst of channels, `point` and `studio`).
+/// Null for forms that are not read here.
 ///
 /// # Errors
 /// If the files cannot be read again.
@@ -41,8 +42,22 @@ pub fn error(
     let Some(read) = form.read_back(&bytes, catalog)? else { return Ok(Value::Null) };
     let source = subject.material.brdf.as_ref();
     let mut error = table_error(source, read.as_ref(), subject.changes_when_turned());
-    error["image_mean_error"] = light_error(source, read.as_ref()).of_mean.into();
+    let LinearErrors { of_mean, of_pixels } = light_error(source, read.as_ref());
+    error["image_mean_error"] = of_mean.into();
+    error["image_pixel_error"] = of_pixels.into();
     Ok(error)
+}
+
+/// What is to be said where the files are further from their source than the form promises; `error` as told by [`error()`].
+pub fn warning(form: &ExporterEntry, error: &Value) -> Option<String> {
+    let (found, promised) = (error["image_pixel_error"].as_f64()?, form.tolerance?);
+    let [found_percent, percent] = [found, promised].map(|share| 100.0 * share);
+    let told = format!(
+        "even the finest {} puts {found_percent:.1} % of a sphere's light in another place, where {percent} % are wanted: its highlights \
+         are narrower than the table's cells; a network or source code keeps them",
+        form.name
+    );
+    (found > promised).then_some(told)
 }
 
 /// How far the light of spheres differs, under either standard light.

@@ -19,7 +19,7 @@ use fields::{Fields, mismatch};
 use grid::{Grid, Warp};
 
 pub use fields::FieldError;
-pub use tabulate::{Resolution, Tabulation, tabulated_within};
+pub use tabulate::{Resolution, Tabulated, Tabulation, tabulated_within};
 
 /// Largest file that is read \[bytes\]; published ones with RGB data stay below 60 MB.
 const MAX_FILE: u64 = 256 << 20;

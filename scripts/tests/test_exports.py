@@ -49,7 +49,7 @@ def test_the_architecture_beside_it_is_plain_and_of_the_same_shapes(exported):
 
 def test_errors_are_recorded_with_the_worst_first(tmp_path):
     def export(name, error):
-        return {"material": name, "files": [{"bytes": 10}, {"bytes": 5}], "error": {"log_error": error, "studio_psnr": 60 - error, "image_mean_error": error}}
+        return {"material": name, "files": [{"bytes": 10}, {"bytes": 5}], "error": {"log_error": error, "studio_psnr": 60 - error, "image_mean_error": error, "image_pixel_error": error}}
 
     (tmp_path / "npz.json").write_text(json.dumps({"form": "npz", "exports": [export("a", 1.0), export("b", 3.0)]}))
     (tmp_path / "forms.json").write_text("{}")

@@ -24,6 +24,7 @@ pub const EXPORTERS: &[ExporterEntry] = &[
     mitsuba::BSDF,
     code::CODE,
     shader::GLSL,
+    shader::HLSL,
     shader::WGSL,
     shader::C,
     shader::RUST,
@@ -129,6 +130,9 @@ mod tests {
         for (place, entry) in EXPORTERS.iter().enumerate() {
             let others = &EXPORTERS[..place];
             assert!(others.iter().all(|other| other.name != entry.name && other.extension != entry.extension));
+            // Written beside each other under one stem, none replaces a file of another.
+            let is_shared = |end: &&str| others.iter().any(|other| other.ends.contains(end));
+            assert!(!entry.ends.iter().any(is_shared), "{}", entry.name);
         }
     }
 }

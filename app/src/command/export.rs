@@ -65,7 +65,7 @@ impl Export {
             progress::check()?;
             bar.set_message(item.material.name.clone());
             let command = self.command(argument, to.form, stem);
-            exports.push(self.export(item, &to, stem, &shelf, &command)?);
+            exports.push(self.export(item, &to, stem, &shelf, global, &command)?);
             bar.inc(1);
         }
         bar.finish_and_clear();
@@ -107,11 +107,22 @@ impl Export {
     }
 
     /// Writes one material, unless it is only measured; what is told of it.
-    fn export(&self, item: &Item, to: &Destination, stem: &Path, shelf: &Shelf, command: &str) -> Result<Value> {
+    fn export(
+        &self,
+        item: &Item,
+        to: &Destination,
+        stem: &Path,
+        shelf: &Shelf,
+        global: &Global,
+        command: &str,
+    ) -> Result<Value> {
         let subject = Subject { material: &item.material, code: item.code.as_ref() };
         let refused = |error: anyhow::Error| Failure::Usage(format!("{error:#}"));
         let files = to.form.files(stem, &subject).map_err(refused)?;
         let manifest = exported::manifest(to.form, &subject, &files, &shelf.catalog, command)?;
+        if let Some(told) = exported::warning(to.form, &manifest["error"]) {
+            global.warn(format_args!("{}: {told}", item.material.name))?;
+        }
         let told = json!({
             "material": item.material.name, "files": manifest["files"], "error": manifest["error"],
             "manifest": (!self.measure).then(|| to.manifest(stem).display().to_string()),

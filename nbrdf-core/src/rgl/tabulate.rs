@@ -60,10 +60,22 @@ pub struct Tabulation<'a> {
     eyes: Density,
 }
 
+/// A table as a file.
+#[derive(Clone, Debug)]
+pub struct Tabulated {
+    /// The file's bytes.
+    pub file: Vec<u8>,
+    /// Sizes of the table.
+    pub resolution: Resolution,
+    /// How far its spheres are: [`LinearErrors::of_pixels`], the worse of `point` and `studio`. Infinite where the file cannot be
+    /// read again.
+    pub error: f64,
+}
+
 /// The smallest table of [`Resolution::LADDER`] whose spheres under `point` and `studio` are within `tolerance` (in
 /// [`LinearErrors::of_pixels`], the share of the light that is in another place) of those of the reflectance, as a file and
-/// read again; the largest where none is.
-pub fn tabulated_within(brdf: &dyn Brdf, tolerance: f64, description: &str) -> (Vec<u8>, Resolution) {
+/// read again; the largest where none is, which [`Tabulated::error`] tells.
+pub fn tabulated_within(brdf: &dyn Brdf, tolerance: f64, description: &str) -> Tabulated {
     let tabulation = Tabulation::new(brdf);
     let spheres = [Sphere::point(), Sphere::studio()];
     let pictures = spheres.map(|sphere| sphere.render(brdf));
@@ -73,14 +85,13 @@ pub fn tabulated_within(brdf: &dyn Brdf, tolerance: f64, description: &str) -> (
         };
         spheres.iter().zip(&pictures).map(of).fold(0.0, f64::max)
     };
-    let [smaller @ .., largest] = Resolution::LADDER;
-    for resolution in smaller {
+    let of = |resolution| {
         let file = tabulation.to_bytes(resolution, description);
-        if RglTable::parse(&file).is_ok_and(|table| error(&table) <= tolerance) {
-            return (file, resolution);
-        }
-    }
-    (tabulation.to_bytes(largest, description), largest)
+        let error = RglTable::parse(&file).map_or(f64::INFINITY, |table| error(&table));
+        Tabulated { file, resolution, error }
+    };
+    let [smaller @ .., largest] = Resolution::LADDER;
+    smaller.into_iter().map(of).find(|table| table.error <= tolerance).unwrap_or_else(|| of(largest))
 }
 
 /// A pair of directions in the coordinates of a table, the eye at φ = 0.

@@ -13,6 +13,7 @@ pub(super) const CODE: ExporterEntry = ExporterEntry {
     about: "its code, as `nbrdf encode` writes it",
     needs: Needs::Code,
     convention: "numbers of the model that the file names; it decodes to f_r [1/sr], linear RGB, without the cosine",
+    tolerance: None,
     ends: &[".json"],
     write: |subject, _| Ok(subject.code.and_then(json).map(|text| vec![text.into_bytes()])),
     read: Some(|files, catalog| {

@@ -49,6 +49,10 @@ pub struct ExporterEntry {
     pub needs: Needs,
     /// What the numbers in its files mean: unit, scale, and whether the cosine is in them.
     pub convention: &'static str,
+    /// How far pictures may be from the source's ([`LinearErrors::of_pixels`]) before people are warned.
+    ///
+    /// [`LinearErrors::of_pixels`]: nbrdf_core::metric::LinearErrors::of_pixels
+    pub tolerance: Option<f64>,
     /// What the names of its files end with, after the stem.
     pub(super) ends: &'static [&'static str],
     /// Makes the files.

@@ -19,14 +19,15 @@ pub(super) const BSDF: ExporterEntry = ExporterEntry {
     about: "a table for Mitsuba 3's plugin `measured` as in the RGL database, within 1 %, 1 to 57 MB, and a scene .xml",
     needs: Needs::Reflectance,
     convention: "f_r [1/sr] times the cosine of the light, linear RGB, at warped half vectors; jacobian 0",
+    tolerance: Some(TOLERANCE),
     ends: &[".bsdf", ".xml"],
     write: |subject, stem| {
         if subject.changes_when_turned() {
             return Ok(None);
         }
         let material = subject.material;
-        let (table, _) = tabulated_within(material.brdf.as_ref(), TOLERANCE, &material.name);
-        Ok(Some(vec![table, scene(stem).into_bytes()]))
+        let table = tabulated_within(material.brdf.as_ref(), TOLERANCE, &material.name);
+        Ok(Some(vec![table.file, scene(stem).into_bytes()]))
     },
     read: Some(|files, _| Ok(Arc::new(RglTable::parse(first(files))?))),
 };

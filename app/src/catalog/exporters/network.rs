@@ -20,6 +20,7 @@ pub(super) const NPZ: ExporterEntry = ExporterEntry {
     about: "a network: six NumPy arrays in one archive",
     needs: Needs::Network,
     convention: WEIGHTS,
+    tolerance: None,
     ends: &[".npz"],
     write: |subject, _| Ok(subject.network().map(|network| vec![npy::write_npz(network)])),
     read: Some(|files, _| alone(files, |bytes| Ok(npy::read_npz(bytes)?))),
@@ -32,6 +33,7 @@ pub(super) const SAFETENSORS: ExporterEntry = ExporterEntry {
     about: "a network: one tensor",
     needs: Needs::Network,
     convention: WEIGHTS,
+    tolerance: None,
     ends: &[".safetensors"],
     write: |subject, _| {
         let plain = subject.network().map(safetensors::write_safetensors);
@@ -50,6 +52,7 @@ pub(super) const NPY: ExporterEntry = ExporterEntry {
     about: "a network: six files, one NumPy array each",
     needs: Needs::Network,
     convention: WEIGHTS,
+    tolerance: None,
     ends: &["_fc1.npy", "_b1.npy", "_fc2.npy", "_b2.npy", "_fc3.npy", "_b3.npy"],
     write: |subject, _| Ok(subject.network().map(|network| npy::write_npy(network).into())),
     read: Some(|files, _| match files {
@@ -65,6 +68,7 @@ pub(super) const KERAS: ExporterEntry = ExporterEntry {
     about: "a network: weights as the published ones, and a .json of the layers for Keras",
     needs: Needs::Network,
     convention: WEIGHTS,
+    tolerance: None,
     ends: &[".h5", ".json"],
     write: |subject, stem| {
         let Some(network) = subject.network() else { return Ok(None) };

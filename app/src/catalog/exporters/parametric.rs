@@ -17,6 +17,7 @@ pub(super) const GLTF: ExporterEntry = ExporterEntry {
     about: "a fit: a sphere of a glTF material, and a picture of the difference",
     needs: Needs::Reflectance,
     convention: "parameters of glTF 2.0, appendix B, and KHR extensions; colours are linear BT.709",
+    tolerance: None,
     ends: &[".gltf", ".gltf.difference.png"],
     write: |subject, _| {
         let Some(fitted) = fitted::<GltfPbr>(subject) else { return Ok(None) };
@@ -32,6 +33,7 @@ pub(super) const MTLX: ExporterEntry = ExporterEntry {
     about: "a fit: an OpenPBR surface in MaterialX, and a picture of the difference",
     needs: Needs::Reflectance,
     convention: "inputs of OpenPBR 1.1; colours are linear BT.709",
+    tolerance: None,
     ends: &[".mtlx", ".mtlx.difference.png"],
     write: |subject, _| {
         let Some(fitted) = fitted::<OpenPbr>(subject) else { return Ok(None) };
@@ -47,6 +49,7 @@ pub(super) const PRINCIPLED: ExporterEntry = ExporterEntry {
     about: "a fit: Blender's Principled BSDF as a program and as values, and a picture of the difference",
     needs: Needs::Reflectance,
     convention: "inputs of Blender's Principled BSDF; colours are linear BT.709",
+    tolerance: None,
     ends: &[".py", ".principled.json", ".principled.difference.png"],
     write: |subject, _| {
         let Some(fitted) = fitted::<Principled>(subject) else { return Ok(None) };

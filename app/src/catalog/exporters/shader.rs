@@ -17,6 +17,14 @@ pub(super) const GLSL: ExporterEntry = ExporterEntry {
     ..of(Language::Glsl)
 };
 
+/// HLSL.
+pub(super) const HLSL: ExporterEntry = ExporterEntry {
+    about: "a network: one function in HLSL, the weights in it",
+    ends: &[".hlsl"],
+    write: |subject, _| source(subject, Language::Hlsl),
+    ..of(Language::Hlsl)
+};
+
 /// WGSL.
 pub(super) const WGSL: ExporterEntry = ExporterEntry {
     about: "a network: one function in WGSL, the weights in it",
@@ -48,6 +56,7 @@ pub(super) const PAGE: ExporterEntry = ExporterEntry {
     about: "a network: a page with a sphere that is drawn in the browser",
     needs: Needs::Network,
     convention: VALUES,
+    tolerance: None,
     ends: &[".html"],
     write: |subject, _| Ok(shader(subject).map(|shader| vec![shader.page().into_bytes()])),
     read: None,

@@ -15,6 +15,7 @@ pub(super) const BINARY: ExporterEntry = ExporterEntry {
     about: "a table of 90 × 90 × 180 cells as in the MERL database, 33 MB",
     needs: Needs::Reflectance,
     convention: "f_r [1/sr] times 1500 / (1, 1.15, 1.66) in red, green, blue, without the cosine; -1 below the horizon",
+    tolerance: None,
     ends: &[".binary"],
     write: |subject, _| {
         let is_sayable = !subject.changes_when_turned();
