@@ -36,7 +36,7 @@ def percent(share: float) -> str:
 
 
 def forms(record: dict) -> str:
-    """The table of forms that are read back."""
+    """The table of forms, as their files are read again."""
     rows = []
     for row in record["rows"]:
         error, psnr, mean = row["log_error"], row["studio_psnr"], row["image_mean_error"]
@@ -112,8 +112,8 @@ a MERL `.binary` are fixed, and too wide for mirrors.
 
 {forms(exports)}
 
-Source code (`glsl`, `hlsl`, `wgsl`, `c`, `rs`) is not read back but compiled and run by the tests, over more than 2000 pairs of directions
-of nine networks (tests/shader.rs): each value is within 1e-4 of the library's, relative to it or to a hundredth of a white Lambertian. C is
+Of source code (`glsl`, `hlsl`, `wgsl`, `c`, `rs`, `html`) these are its numbers. The code is compiled and run by the tests, over more than
+2000 pairs of directions of nine networks (tests/shader.rs): each value is within 1e-4 of the library's, relative to it or to a hundredth of a white Lambertian. C is
 compiled as C99 and as C++11; WGSL, GLSL and HLSL run in a Vulkan driver in software, three or four networks or, of GLSL, one.
 
 ## As parameters of standard models: {FITS[closest]} is closest, {number(closest_row["studio_psnr"]["mean"], 0)} dB in the mean, {number(closest_row["studio_psnr"]["max"], 0)} dB at worst

@@ -21,7 +21,7 @@ def record(folder: Path) -> dict:
     files = [file for file in sorted(folder.glob("*.json")) if file.stem != "forms"]
     if not files:
         raise Invalid(f"{folder}: expected reports of `nbrdf export --measure --json`, found none")
-    about = "forms read back against the published networks of MERL; image_mean_error: of the mean of linear pictures, image_pixel_error: share of their light in another place, worst of channels and lights"
+    about = "forms, read again, against the published networks of MERL; image_mean_error: of the mean of linear pictures, image_pixel_error: share of their light in another place, worst of channels and lights"
     return {"schema": 1, "command": "scripts/export_errors.sh", "about": about, "rows": [row(file) for file in files]}
 
 

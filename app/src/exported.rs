@@ -28,7 +28,6 @@ pub fn material(name: &str, material: Option<&Material>) -> Value {
 
 /// What the files stand for, read again, against what was written: `log_error`, PSNR under `studio`, by how much the mean of
 /// linear pictures differs, and which share of their light is in another place (the worst of channels, `point` and `studio`).
-/// Null for forms that are not read here.
 ///
 /// # Errors
 /// If the files cannot be read again.
@@ -39,7 +38,7 @@ pub fn error(
     catalog: &Catalog,
 ) -> Result<Value> {
     let bytes: Vec<&[u8]> = files.iter().map(|(_, bytes)| bytes.as_slice()).collect();
-    let Some(read) = form.read_back(&bytes, catalog)? else { return Ok(Value::Null) };
+    let read = form.read_back(&bytes, catalog)?;
     let source = subject.material.brdf.as_ref();
     let mut error = table_error(source, read.as_ref(), subject.changes_when_turned());
     let LinearErrors { of_mean, of_pixels } = light_error(source, read.as_ref());

@@ -20,9 +20,13 @@ mod identifier;
 mod language;
 mod numbers;
 mod page;
+mod read;
+mod source_error;
 mod template;
 
 pub use language::Language;
+pub use read::read;
+pub use source_error::SourceError;
 
 use crate::Nbrdf;
 use crate::brdf::Azimuth;

@@ -51,19 +51,19 @@ mod tests {
     const FITS: [&str; 3] = ["gltf", "mtlx", "principled"];
 
     #[test]
-    fn every_readable_form_stands_for_what_was_written() {
+    fn every_form_stands_for_what_was_written() {
         let catalog = Catalog::new(Arc::new(Reference::built_in()));
         let network = builtin::shared().get("gold-metallic-paint").unwrap().material();
         let representation = catalog.representation("znbrdf", false).unwrap();
         let code = representation.encode(&network).unwrap();
         let decoded = Material::new("gold-metallic-paint", Arc::from(representation.decode(&code).unwrap()));
-        for entry in EXPORTERS.iter().filter(|entry| entry.is_readable()) {
+        for entry in EXPORTERS {
             let material = if entry.needs == Needs::Code { &decoded } else { &network };
             let subject = Subject { material, code: Some(&code) };
             let files = entry.files(Path::new("a"), &subject).unwrap();
             assert_eq!(files.len(), entry.ends.len(), "{}", entry.name);
             let bytes: Vec<&[u8]> = files.iter().map(|(_, bytes)| bytes.as_slice()).collect();
-            let read = entry.read_back(&bytes, &catalog).unwrap().unwrap();
+            let read = entry.read_back(&bytes, &catalog).unwrap();
             let at = rus32k();
             let error = log_error(at, &evaluate(material.brdf.as_ref(), at), &evaluate(read.as_ref(), at));
             // Weights are written to the bit, tables are not, and fits are what a few parameters can say.
@@ -87,8 +87,8 @@ mod tests {
             let written = entry.paths(&folder.path().join("v1.chrome"));
             assert!(written.iter().all(|path| path.exists()), "{written:?}");
             let read = Library::load(&written[0]).map(Library::into_entries);
-            // Source code is run, not read: tests/shader.rs.
-            if entry.name != "npy" && entry.is_readable() {
+            // Of a set of six, and of source code, no library is made.
+            if ["npz", "safetensors", "keras"].contains(&entry.name) {
                 assert_eq!(read.unwrap()[0].network.weights(), subject.network().unwrap().weights());
             }
         }

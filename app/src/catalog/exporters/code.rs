@@ -16,11 +16,11 @@ pub(super) const CODE: ExporterEntry = ExporterEntry {
     tolerance: None,
     ends: &[".json"],
     write: |subject, _| Ok(subject.code.and_then(json).map(|text| vec![text.into_bytes()])),
-    read: Some(|files, catalog| {
+    read: |files, catalog| {
         let file = "the code";
         let code = parse_code(file, first(files))?;
         Ok(decoded(catalog, code, file)?.material.brdf)
-    }),
+    },
 };
 
 /// A code as its file holds it: one line.

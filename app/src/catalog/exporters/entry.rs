@@ -57,8 +57,8 @@ pub struct ExporterEntry {
     pub(super) ends: &'static [&'static str],
     /// Makes the files.
     pub(super) write: Write,
-    /// Reads them again, as whoever gets them would; none of forms that only others can read.
-    pub(super) read: Option<Read>,
+    /// Reads them again, as whoever gets them would.
+    pub(super) read: Read,
 }
 
 impl ExporterEntry {
@@ -71,11 +71,6 @@ impl ExporterEntry {
     pub fn of(path: &Path) -> Option<&'static Self> {
         let extension = path.extension()?.to_str()?;
         EXPORTERS.iter().find(|entry| entry.extension == extension)
-    }
-
-    /// Whether its files are read here.
-    pub const fn is_readable(&self) -> bool {
-        self.read.is_some()
     }
 
     /// The files that a material becomes, from their common stem: `a/chrome` is `a/chrome.npz`, or `a/chrome_fc1.npy`
@@ -123,12 +118,12 @@ impl ExporterEntry {
         }
     }
 
-    /// What such files stand for, as whoever reads them would find it; none of forms that are not read here.
+    /// What such files stand for, as whoever reads them would find it.
     ///
     /// # Errors
     /// If they are no files of this form.
-    pub fn read_back(&self, files: &[&[u8]], catalog: &Catalog) -> Result<Option<Arc<dyn Brdf>>> {
-        self.read.map(|read| read(files, catalog)).transpose()
+    pub fn read_back(&self, files: &[&[u8]], catalog: &Catalog) -> Result<Arc<dyn Brdf>> {
+        (self.read)(files, catalog)
     }
 
     /// Writes the files, whole or not at all.

@@ -29,7 +29,7 @@ pub(super) const BSDF: ExporterEntry = ExporterEntry {
         let table = tabulated_within(material.brdf.as_ref(), TOLERANCE, &material.name);
         Ok(Some(vec![table.file, scene(stem).into_bytes()]))
     },
-    read: Some(|files, _| Ok(Arc::new(RglTable::parse(first(files))?))),
+    read: |files, _| Ok(Arc::new(RglTable::parse(first(files))?)),
 };
 
 /// The sphere of `nbrdf render` under the lamps of `studio`.

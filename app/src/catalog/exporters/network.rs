@@ -23,7 +23,7 @@ pub(super) const NPZ: ExporterEntry = ExporterEntry {
     tolerance: None,
     ends: &[".npz"],
     write: |subject, _| Ok(subject.network().map(|network| vec![npy::write_npz(network)])),
-    read: Some(|files, _| alone(files, |bytes| Ok(npy::read_npz(bytes)?))),
+    read: |files, _| alone(files, |bytes| Ok(npy::read_npz(bytes)?)),
 };
 
 /// One tensor.
@@ -39,10 +39,10 @@ pub(super) const SAFETENSORS: ExporterEntry = ExporterEntry {
         let plain = subject.network().map(safetensors::write_safetensors);
         Ok(plain.or_else(|| subject.turning().map(safetensors::write_anisotropic)).map(|bytes| vec![bytes]))
     },
-    read: Some(|files, _| match safetensors::read_anisotropic(first(files))? {
+    read: |files, _| match safetensors::read_anisotropic(first(files))? {
         Some(turning) => Ok(Arc::new(turning)),
         None => alone(files, |bytes| Ok(safetensors::read_safetensors(bytes)?)),
-    }),
+    },
 };
 
 /// Six arrays, a file each.
@@ -55,10 +55,10 @@ pub(super) const NPY: ExporterEntry = ExporterEntry {
     tolerance: None,
     ends: &["_fc1.npy", "_b1.npy", "_fc2.npy", "_b2.npy", "_fc3.npy", "_b3.npy"],
     write: |subject, _| Ok(subject.network().map(|network| npy::write_npy(network).into())),
-    read: Some(|files, _| match files {
+    read: |files, _| match files {
         [a, b, c, d, e, f] => Ok(Arc::new(npy::read_npy([a, b, c, d, e, f])?)),
         _ => bail!("expected six arrays, found {}", files.len()),
-    }),
+    },
 };
 
 /// Weights and architecture, a file each.
@@ -75,7 +75,7 @@ pub(super) const KERAS: ExporterEntry = ExporterEntry {
         let architecture = keras::write_architecture(network, stem).into_bytes();
         Ok(Some(vec![keras::write_keras(network)?, architecture]))
     },
-    read: Some(|files, _| alone(files, |bytes| Ok(keras::read_keras(bytes)?))),
+    read: |files, _| alone(files, |bytes| Ok(keras::read_keras(bytes)?)),
 };
 
 /// The network in the first file.

@@ -23,7 +23,7 @@ pub(super) const GLTF: ExporterEntry = ExporterEntry {
         let Some(fitted) = fitted::<GltfPbr>(subject) else { return Ok(None) };
         Ok(Some(vec![fitted.model.write(&subject.material.name, &fitted.errors), picture(subject, &fitted)?]))
     },
-    read: Some(|files, _| read(files, 0, |bytes| Ok(GltfPbr::read(bytes)?))),
+    read: |files, _| read(files, 0, |bytes| Ok(GltfPbr::read(bytes)?)),
 };
 
 /// An OpenPBR surface.
@@ -39,7 +39,7 @@ pub(super) const MTLX: ExporterEntry = ExporterEntry {
         let Some(fitted) = fitted::<OpenPbr>(subject) else { return Ok(None) };
         Ok(Some(vec![fitted.model.write(&subject.material.name, &fitted.errors), picture(subject, &fitted)?]))
     },
-    read: Some(|files, _| read(files, 0, |bytes| Ok(OpenPbr::read(bytes)?))),
+    read: |files, _| read(files, 0, |bytes| Ok(OpenPbr::read(bytes)?)),
 };
 
 /// Values of Blender's Principled BSDF.
@@ -56,7 +56,7 @@ pub(super) const PRINCIPLED: ExporterEntry = ExporterEntry {
         let (Fitted { model, errors, .. }, name) = (&fitted, &subject.material.name);
         Ok(Some(vec![model.write_python(name, errors), model.write(name, errors), picture(subject, &fitted)?]))
     },
-    read: Some(|files, _| read(files, 1, |bytes| Ok(Principled::read(bytes)?))),
+    read: |files, _| read(files, 1, |bytes| Ok(Principled::read(bytes)?)),
 };
 
 /// None of a material that changes when it is turned, or is not finite: these models know one direction to be like another.

@@ -1,8 +1,13 @@
 //! Networks as source code, and as a page that draws with it.
 
-use anyhow::Result;
-use nbrdf_core::shader::{Language, Shader};
+use std::sync::Arc;
 
+use anyhow::{Context, Result};
+use nbrdf_core::brdf::Azimuth;
+use nbrdf_core::nbrdf::anisotropic::AnisotropicNbrdf;
+use nbrdf_core::shader::{Language, Shader, read};
+
+use super::entry::first;
 use super::{ExporterEntry, Needs, Subject};
 
 /// What the functions return.
@@ -59,7 +64,13 @@ pub(super) const PAGE: ExporterEntry = ExporterEntry {
     tolerance: None,
     ends: &[".html"],
     write: |subject, _| Ok(shader(subject).map(|shader| vec![shader.page().into_bytes()])),
-    read: None,
+    read: |files, _| {
+        let text = std::str::from_utf8(first(files)).context("expected text in UTF-8")?;
+        Ok(match read(text)? {
+            (network, Azimuth::Dropped) => Arc::new(network),
+            (network, Azimuth::Kept) => Arc::new(AnisotropicNbrdf::of(network)),
+        })
+    },
 };
 
 /// What all languages share.

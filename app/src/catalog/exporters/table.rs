@@ -21,8 +21,8 @@ pub(super) const BINARY: ExporterEntry = ExporterEntry {
         let is_sayable = !subject.changes_when_turned();
         Ok(is_sayable.then(|| vec![Merl::tabulate(subject.material.brdf.as_ref()).to_bytes()]))
     },
-    read: Some(|files, _| {
+    read: |files, _| {
         let table = Merl::parse(first(files))?;
         Ok(Arc::new(table.table(Lookup::Trilinear)))
-    }),
+    },
 };

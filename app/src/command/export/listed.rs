@@ -12,7 +12,7 @@ pub(super) fn print(global: &Global) -> Result<()> {
     let row = |entry: &ExporterEntry| -> Value {
         json!({
             "name": entry.name, "extension": entry.extension, "about": entry.about, "needs": entry.needs.name(),
-            "convention": entry.convention, "is_read_back": entry.is_readable(),
+            "convention": entry.convention,
         })
     };
     let summary = json!({"schema": 1, "forms": EXPORTERS.iter().map(row).collect::<Vec<_>>()});

@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use nbrdf_core::hash::short_hash;
 use nbrdf_core::{Brdf, Representation as _};
 use serde::{Deserialize, Serialize};
 
@@ -20,10 +21,10 @@ pub struct Explored {
 }
 
 impl Explored {
-    /// A name that no other place has, nor this one among more materials.
-    fn name(self, materials: usize) -> String {
+    /// A name that no other place has, nor this one on a map of other materials, which puts another code there.
+    fn name(self, code: &[f32]) -> String {
         let [x, y] = self.place;
-        format!("{} of {materials} materials at {x}, {y}", self.projection.title())
+        format!("{} at {x}, {y}, code {}", self.projection.title(), short_hash(code.iter().copied()))
     }
 }
 
@@ -36,11 +37,10 @@ impl Studio {
             self.withdraw(card, Answer::Pending(card));
             return (None, true);
         };
-        let found = sheet.and_then(|sheet| Ok((self.office.decode(explored, &sheet)?, sheet.count())));
-        match found {
-            Ok((point, materials)) => {
+        match sheet.and_then(|sheet| self.office.decode(explored, &sheet)) {
+            Ok((point, code)) => {
                 self.put(card, point);
-                let ends = Arc::new([explored.name(materials)]);
+                let ends = Arc::new([explored.name(&code)]);
                 (Some(Subject { card, ends, point: None, edited: None }), false)
             }
             Err(why) => {
@@ -55,12 +55,15 @@ impl Office {
     /// The material at a place that is explored.
     pub fn explored(&self, explored: Explored) -> Result<Box<dyn Brdf>, String> {
         let sheet = self.sheets.get(explored.projection).ok_or("drawing the map")??;
-        self.decode(explored, &sheet)
+        Ok(self.decode(explored, &sheet)?.0)
     }
 
-    fn decode(&self, explored: Explored, sheet: &Sheet) -> Result<Box<dyn Brdf>, String> {
+    /// With its code.
+    fn decode(&self, explored: Explored, sheet: &Sheet) -> Result<(Box<dyn Brdf>, Vec<f32>), String> {
         let numbers = sheet.code(explored.place).ok_or("there are no materials on this map")?;
         let model = self.stock.catalog.autoencoder();
-        guarded("Decoding", || model.decode(&model.code(numbers)).map_err(|error| error.to_string()))?
+        let code = model.code(numbers);
+        let decoded = guarded("Decoding", || model.decode(&code).map_err(|error| error.to_string()))??;
+        Ok((decoded, code.code))
     }
 }

@@ -33,11 +33,6 @@ impl Sheet {
         Self { places: codes.map(off).collect(), plane }
     }
 
-    /// Materials on it.
-    pub fn count(&self) -> usize {
-        self.places.len()
-    }
-
     /// The code at a place; none where there are no materials.
     pub fn code(&self, place: [f32; 2]) -> Option<Vec<f32>> {
         let length = self.places.first()?.1.len();
