@@ -9,6 +9,8 @@ use nbrdf_core::library::{Entry, Provenance};
 use nbrdf_core::nbrdf::anisotropic::AnisotropicNbrdf;
 use nbrdf_core::nbrdf::fit::random_hidden;
 use nbrdf_core::nbrdf::{npy, safetensors};
+use nbrdf_core::parametric::{FitErrors, GltfPbr, OpenPbr, Parameter, Principled, ShadingModel};
+use nbrdf_core::shader::{Language, Shader};
 use nbrdf_core::tensor_file::{Numbers, TensorFile};
 use nbrdf_core::{Image, Library, Nbrdf, Rgb};
 use zip::{CompressionMethod, DateTime, ZipWriter, write::SimpleFileOptions};
@@ -32,6 +34,7 @@ fn main() -> Outcome<()> {
     learned(&seeds)?;
     measured(&seeds)?;
     pictures(&seeds)?;
+    exports(&seeds, &network)?;
     texts(&seeds)
 }
 
@@ -180,6 +183,31 @@ fn pictures(seeds: &Seeds) -> Outcome<()> {
     seeds.put("hdr", "softbox", &bytes)?;
     let plain = [&b"#?RADIANCE\nFORMAT=32-bit_rle_rgbe\nEXPOSURE=2\n\n-Y 2 +X 4\n"[..], &[99, 50, 20, 129].repeat(8)];
     seeds.put("hdr", "plain", &plain.concat())
+}
+
+fn exports(seeds: &Seeds, network: &Nbrdf) -> Outcome<()> {
+    let shader = Shader::new("one", network);
+    for language in Language::ALL {
+        seeds.put("source_code", language.extension(), shader.source(language).as_bytes())?;
+    }
+    let turning = Shader::turning("turning", &AnisotropicNbrdf::of(network.clone()));
+    seeds.put("source_code", "turning", turning.source(Language::C).as_bytes())?;
+    let errors = FitErrors { log_error: 0.01, relative_log: 0.2, studio_psnr: 40.0, studio_delta_e_itp: 3.0 };
+    // Off neutral, so that every part is written; without the sphere, which is not read.
+    let mut gltf: serde_json::Value = serde_json::from_slice(&shifted::<GltfPbr>().write("one", &errors))?;
+    gltf.as_object_mut().ok_or("a glTF file is an object")?.retain(|key, _| key == "asset" || key == "materials");
+    seeds.put("shading_model", "gltf", gltf.to_string().as_bytes())?;
+    seeds.put("shading_model", "open_pbr", &shifted::<OpenPbr>().write("one", &errors))?;
+    seeds.put("shading_model", "principled", &shifted::<Principled>().write("one", &errors))
+}
+
+/// Every number a third into its range.
+fn shifted<M: ShadingModel>() -> M {
+    let third = |parameter: &Parameter| {
+        let [low, high] = parameter.range;
+        std::iter::repeat_n(low + (high - low) / 3.0, parameter.size)
+    };
+    M::from_values(&M::PARAMETERS.iter().flat_map(third).collect::<Vec<_>>())
 }
 
 fn texts(seeds: &Seeds) -> Outcome<()> {

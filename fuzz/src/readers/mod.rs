@@ -2,6 +2,7 @@
 //! they were. Fuzz targets call them, and so do the tests of the workspace.
 
 mod code;
+mod exports;
 mod measured;
 mod networks;
 mod pictures;
@@ -9,6 +10,7 @@ mod scenes;
 mod tensors;
 
 pub use code::{chart_report, code, stress_report};
+pub use exports::{shading_model, source_code};
 pub use measured::{csv, goniometer, merl, rgl};
 pub use networks::{archive, keras, library, network_safetensors, npy, npz};
 pub use pictures::{exr, hdr};
@@ -21,7 +23,7 @@ use nbrdf_core::{Brdf, Directions};
 pub type Reader = (&'static str, fn(&[u8]) -> bool);
 
 /// All of them.
-pub const ALL: [Reader; 20] = [
+pub const ALL: [Reader; 22] = [
     ("archive", archive),
     ("basis", basis),
     ("chart_report", chart_report),
@@ -41,6 +43,8 @@ pub const ALL: [Reader; 20] = [
     ("obj", obj),
     ("rgl", rgl),
     ("scene", scene),
+    ("shading_model", shading_model),
+    ("source_code", source_code),
     ("stress_report", stress_report),
 ];
 
