@@ -44,6 +44,9 @@ t=$(value "$NBRDF_SESSION" 'd["session"]["blend"]["t"]')
 first=$(value "$scratch/report.json" 'round(d["first_frame_s"], 3)')
 [ "$memory_mb" -le $most_memory_mb ] || fail "at most $most_memory_mb MB were expected, found $memory_mb"
 python3 -c "import sys; sys.exit(not $first <= $most_first_frame_s)" || fail "the first frame took $first s"
+code=0
+timeout 120 "$nbrdf" app --new --size 720x540 --screenshot /dev/full 2>"$scratch/full.log" || code=$?
+[ "$code" = 1 ] && grep -q '^error: ' "$scratch/full.log" || fail "a picture that cannot be written should end with 1, and it is $code"
 # Where OpenGL opens no window, the app starts itself again on wgpu. Xvfb within Xvfb: this one knows no OpenGL.
 if [ -n "${NBRDF_REQUIRE_VULKAN:-}" ]; then
     __EGL_VENDOR_LIBRARY_FILENAMES=/none xvfb-run -a -s "-screen 0 800x600x24 -extension GLX" \

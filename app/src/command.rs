@@ -18,6 +18,7 @@ pub mod linear;
 pub mod list;
 pub mod man;
 pub mod manifold;
+mod names;
 pub mod plan;
 pub mod reconstruct;
 pub mod render;
@@ -36,6 +37,7 @@ use crate::visible::visible;
 
 /// Switches that every command takes.
 #[derive(Debug, Clone, Args)]
+#[command(next_help_heading = "Options of every command")]
 pub struct Global {
     /// Print the report as JSON on stdout.
     #[arg(long, global = true)]

@@ -1,5 +1,7 @@
 //! What is told of files that were written: command line and window tell the same.
 
+mod file_set;
+
 use std::path::PathBuf;
 
 use anyhow::Result;
@@ -12,6 +14,8 @@ use serde_json::{Value, json};
 use crate::catalog::exporters::Subject;
 use crate::catalog::{Catalog, ExporterEntry};
 use crate::command::fit::judge::table_error;
+
+pub use file_set::FileSet;
 
 /// A file by name, length and checksum.
 pub fn file((path, bytes): &(PathBuf, Vec<u8>)) -> Value {

@@ -32,6 +32,7 @@ mod scrubber;
 pub mod session;
 mod shelf;
 mod stage;
+mod start;
 mod status;
 pub mod store;
 mod strips;

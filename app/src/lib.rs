@@ -10,6 +10,7 @@ pub mod families;
 pub mod fitted;
 #[cfg(feature = "gui")]
 pub mod gui;
+pub mod input;
 pub mod material;
 pub mod measure;
 pub mod output;

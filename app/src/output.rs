@@ -3,6 +3,7 @@
 use std::path::Path;
 
 use anyhow::{Context, Result};
+use nbrdf_core::extensions::listed;
 use nbrdf_core::{Image, atomic};
 
 use crate::failure::Failure;
@@ -22,9 +23,8 @@ pub fn check(path: &Path, extensions: &[&str]) -> Result<()> {
     }
     let extension = path.extension().and_then(|extension| extension.to_str()).unwrap_or_default();
     if !extensions.contains(&extension) {
-        let known: Vec<String> = extensions.iter().map(|known| format!(".{known}")).collect();
         let path = path.display();
-        return Err(Failure::Usage(format!("{path}: expected the extension {}", known.join(" or "))).into());
+        return Err(Failure::Usage(format!("{path}: expected the extension {}", listed(extensions))).into());
     }
     check_writable(path)
 }

@@ -54,3 +54,22 @@ pub fn figure(value: f64) -> String {
         _ => format!("{value:.4}"),
     }
 }
+
+/// A number of bytes: `675 bytes`, `4.0 kB`, `35.0 MB`; a kB has 1000 bytes, as in the tables of the documentation.
+pub fn size(bytes: u64) -> String {
+    match bytes {
+        0..1000 => format!("{bytes} bytes"),
+        1000..1_000_000 => format!("{:.1} kB", bytes as f64 / 1e3),
+        _ => format!("{:.1} MB", bytes as f64 / 1e6),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn sizes_have_units_of_a_thousand() {
+        assert_eq!([999, 4024, 34_992_012].map(size), ["999 bytes", "4.0 kB", "35.0 MB"]);
+    }
+}

@@ -47,6 +47,8 @@ pub mod database;
 pub mod dense;
 pub mod direction;
 #[doc(hidden)]
+pub mod extensions;
+#[doc(hidden)]
 pub mod hash;
 pub mod image;
 mod least_squares;
@@ -58,6 +60,8 @@ pub mod measured;
 pub mod merl;
 pub mod metric;
 pub mod nbrdf;
+#[doc(hidden)]
+pub mod near;
 pub mod parametric;
 pub mod path;
 pub mod plan;

@@ -105,6 +105,15 @@ impl Library {
         manifest::from_bytes(tensors, manifest)
     }
 
+    /// Whether [`save`](Self::save) into this folder would replace nothing but a library: to be asked before long work.
+    ///
+    /// # Errors
+    /// [`LibraryError::Foreign`] if there is a `manifest.json` or a `library.safetensors` of something else, or of a library
+    /// that cannot be read.
+    pub fn check_folder(folder: &Path) -> Result<(), LibraryError> {
+        folder::check(folder)
+    }
+
     /// Writes our form into a folder, which is made if need be. A library already there is replaced as a whole, or,
     /// when that fails, left as it was.
     ///

@@ -4,6 +4,7 @@ use std::path::Path;
 use std::sync::Arc;
 
 use crate::brdf::table::Lookup;
+use crate::extensions::listed;
 use crate::merl::{Merl, MerlError};
 use crate::rgl::{RglError, RglTable};
 use crate::sample_list::{SampleList, SampleListError};
@@ -45,7 +46,7 @@ pub enum MeasuredProblem {
     #[error(transparent)]
     List(#[from] SampleListError),
     /// The name says nothing that is read here.
-    #[error("expected the extension .binary, .bsdf, .brdf or .csv")]
+    #[error("expected a measurement ({}), found this name", listed(&EXTENSIONS))]
     Extension,
 }
 

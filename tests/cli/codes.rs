@@ -1,5 +1,6 @@
 //! Codes: made, edited, read back, refused.
 
+use nbrdf_core::hash::sha256;
 use nbrdf_core::nbrdf::ARRAYS;
 use serde_json::Value;
 
@@ -15,10 +16,43 @@ fn a_code_goes_through_a_pipe_and_comes_back_as_a_network() {
     for name in ["c.npz", "c.safetensors", "c.npy"] {
         place.run_with_input(&["decode", "-", "-o", name], &code).ok();
     }
-    assert_eq!(place.names().len(), 2 + ARRAYS.len());
+    let manifests = 3;
+    assert_eq!(place.names().len(), 2 + ARRAYS.len() + manifests);
     assert_eq!(place.run(&["info", "c.npz", "--json"]).json()["hidden"], serde_json::json!([21, 21]));
     place.run(&["encode", "c_fc1.npy", "-o", "again.json"]).ok();
     assert_eq!(place.run_with_input(&["info", "-", "--json"], &code).json()["name"], "chrome");
+}
+
+#[test]
+fn what_is_decoded_has_a_manifest_with_the_command_that_makes_it_again() {
+    let place = Place::new();
+    place.run(&["encode", "gold-paint", "-o", "g.json"]).ok();
+    let report = place.run(&["decode", "g.json", "-o", "g.npz", "--json"]).json();
+    assert_eq!(report["manifest"], "g.npz.manifest.json");
+    let manifest: Value = serde_json::from_slice(&place.file("g.npz.manifest.json")).unwrap();
+    assert_eq!((&manifest["form"], &manifest["error"]["log_error"]), (&"npz".into(), &0.0.into()));
+    assert_eq!(manifest["code"]["code"].as_array().unwrap().len(), 32);
+    assert_eq!(manifest["files"][0]["sha256"], sha256(&place.file("g.npz")));
+    let (before, command) = (place.file("g.npz"), manifest["command"].as_str().unwrap());
+    assert_eq!(command, "nbrdf decode g.json -o g.npz");
+    place.run(&command.split(' ').skip(1).collect::<Vec<_>>()).ok();
+    assert_eq!(place.file("g.npz"), before);
+    // A folder of networks with their manifests is a library.
+    place.run(&["import", ".", "-o", "library"]).ok();
+}
+
+#[test]
+fn the_help_of_decode_names_every_form_that_it_writes() {
+    let place = Place::new();
+    let help = place.run(&["decode", "--help"]).text();
+    let forms = place.run(&["export", "--list", "--json"]).json();
+    for form in forms["forms"].as_array().unwrap() {
+        let extension = format!(".{}", form["extension"].as_str().unwrap());
+        let is_told = help.split([' ', ',', ';']).any(|word| word == extension);
+        assert_eq!(is_told, form["needs"] != "code", "{extension}: {help}");
+    }
+    let said = place.run(&["decode", "c.json", "-o", "c.json"]).fails(2);
+    assert!(said.contains(".safetensors") && !said.contains(".json or") && !said.contains("or .json"), "{said}");
 }
 
 #[test]
@@ -111,5 +145,5 @@ fn codes_have_the_length_that_the_checkpoint_was_trained_for() {
     for refused in [&["--dim", "0"][..], &["--dim", "129"], &["--dim", "8", "--architecture", "published"]] {
         place.run(&[&["train", "-o", "z.safetensors"], refused].concat()).fails(2);
     }
-    assert_eq!(place.names(), ["four.json", "four.safetensors", "x.npz"]);
+    assert_eq!(place.names(), ["four.json", "four.safetensors", "x.npz", "x.npz.manifest.json"]);
 }

@@ -52,9 +52,10 @@ fn the_command_in_a_manifest_makes_the_files_again() {
     place.run(&["encode", "chrome", "-o", "a code.json"]).ok();
     place.run(&["export", "a code.json", "-o", "c.npz"]).ok();
     place.run(&["export", "chrome", "--library", "own", "--to", "npz", "-o", "n"]).ok();
-    for (stem, command) in
-        [("c", "nbrdf export 'a code.json' --to npz -o c"), ("n", "nbrdf export chrome --to npz -o n --library own")]
-    {
+    for (stem, command) in [
+        ("c", "nbrdf export 'a code.json' --to npz -o c.npz"),
+        ("n", "nbrdf export chrome --to npz -o n.npz --library own"),
+    ] {
         assert_eq!(manifest(&place, &format!("{stem}.npz.manifest.json"))["command"], command);
         let before = place.file(&format!("{stem}.npz"));
         let words = command.replace("'a code.json'", "a_code.json");
@@ -86,8 +87,11 @@ fn what_cannot_be_exported_is_refused_and_leaves_nothing() {
     let code = place.file("d.json");
     for (arguments, said) in [
         (&["export", "chrome", "-o", "x"][..], "expected a form"),
-        (&["export", "chrome", "--to", "gif", "-o", "x"], "found `gif`"),
+        (&["export", "chrome", "--to", "gif", "-o", "x"], "invalid value 'gif'"),
         (&["export", "chrome", "--to", "npz", "-o", "x.bsdf"], "extension .npz"),
+        (&["export", "chrome", "--to", "gltf", "-o", "x.glb"], "extension .gltf of gltf or none, found .glb"),
+        (&["export", "chrome", "brass", "--to", "npz", "-o", "two.npz"], "--to npz -o two/"),
+        (&["export", "chrome", "brass", "-o", "two.npz"], "--to npz -o two/"),
         (&["export", "chrome", "--to", "code", "-o", "x.json"], "has no code"),
         (&["export", "c.json", "--to", "code", "-o", "c.json"], "is read"),
         (&["export", "c.json", "--to", "keras", "-o", "c.h5"], "is read"),
@@ -105,4 +109,38 @@ fn what_cannot_be_exported_is_refused_and_leaves_nothing() {
     place.run(&["export", "chrome", "--to", "npz", "-o", "nowhere/x"]).fails(3);
     assert_eq!(place.names(), ["c.json", "d.json"]);
     assert_eq!(place.file("d.json"), code);
+}
+
+#[test]
+fn a_name_with_a_dot_keeps_it_before_the_extension() {
+    let place = Place::new();
+    place.run(&["export", "chrome", "-o", "v1.chrome.npz"]).ok();
+    assert_eq!(place.names(), ["v1.chrome.npz", "v1.chrome.npz.manifest.json"]);
+    let command = manifest(&place, "v1.chrome.npz.manifest.json")["command"].as_str().unwrap().to_owned();
+    place.run(&command.split(' ').skip(1).collect::<Vec<_>>()).ok();
+    assert_eq!(place.names().len(), 2, "{command}");
+}
+
+#[test]
+fn sizes_that_are_listed_are_those_of_files() {
+    let place = Place::new();
+    let text = place.run(&["export", "white-fabric", "--to", "binary", "-o", "t"]).text();
+    let length = |name: &str| place.file(name).len() as f64 / 1e6;
+    assert!(text.contains(&format!(", {:.1} MB; ", length("t.binary"))), "{text}");
+    place.run(&["export", "white-fabric", "--to", "bsdf", "-o", "t"]).ok();
+    let list = place.run(&["export", "--list"]).text();
+    // A smooth material takes the smallest table.
+    for size in [format!("MERL database, {:.0} MB", length("t.binary")), format!(" {:.1} to ", length("t.bsdf"))] {
+        assert!(list.contains(&size), "{size}: {list}");
+    }
+}
+
+#[test]
+fn programs_are_read_for_their_numbers_which_are_those_of_the_network() {
+    let place = Place::new();
+    for form in ["glsl", "hlsl", "wgsl", "c", "rs", "html"] {
+        place.run(&["export", "chrome", "--to", form, "-o", "chrome"]).ok();
+        let error = &manifest(&place, &format!("chrome.{form}.manifest.json"))["error"];
+        assert_eq!((&error["log_error"], &error["image_pixel_error"]), (&0.0.into(), &0.0.into()), "{form}");
+    }
 }

@@ -47,7 +47,7 @@ fn what_is_no_basis_is_refused() {
         let all = [&["learn", "-o", "b.safetensors", "--library", "few"], arguments].concat();
         place.run(&all)
     };
-    assert!(learn(&["nbrdf"]).fails(2).contains("no basis 'nbrdf'"));
+    assert!(learn(&["nbrdf"]).fails(2).contains("invalid value 'nbrdf'"));
     assert!(learn(&["charting_2", "--grid", "merl"]).fails(2).contains("leave out --grid"));
     assert!(learn(&["linear_combination", "--numbers", "3"]).fails(2).contains("leave out --numbers"));
     assert!(learn(&["charting_2", "--numbers", "65"]).fails(2).contains("64 at most"));

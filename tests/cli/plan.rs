@@ -133,7 +133,7 @@ fn what_cannot_be_planned_exits_with_3_and_says_why() {
         assert!(said.contains(expected) && said.contains(name), "{expected}: {said}");
     }
     let said = place.run(&["plan", "none.toml"]).fails(3);
-    assert!(said.contains("none.toml: cannot be read"), "{said}");
+    assert!(said.contains("none.toml: expected a scene (.toml), found no such file"), "{said}");
     place.write("scene.toml", of(&ball("a", "chrome", 0.0)).as_bytes());
     let said = place.run(&["plan", "scene.toml", "--tolerance", "1e-9"]).fails(3);
     assert!(said.contains("which only the materials themselves meet (the closest is"), "{said}");

@@ -32,6 +32,7 @@ fn a_full_disk_is_said_with_the_file_and_leaves_nothing() {
         (1, "a.safetensors", "learn pca_weights --numbers 3 -o a.safetensors"),
         (0, "a.json", "encode chrome -o a.json"),
         (1, "b.npz", "decode code.json -o b.npz"),
+        (1, "b.binary", "export chrome -o b.binary"),
         (1, "a.exr", "render chrome -o a.exr --size 64"),
         (1, "a.png", "render chrome -o a.png --size 64"),
         (1, "b.png", "blend chrome brass --method latent --steps 2 --size 32 -o b.png"),

@@ -82,11 +82,9 @@ mod tests {
         let material = builtin::shared().get("chrome").unwrap().material();
         let subject = Subject { material: &material, code: None };
         for entry in EXPORTERS.iter().filter(|entry| entry.needs == Needs::Network) {
-            let path = folder.path().join(format!("v1.chrome.{}", entry.extension));
-            ExporterEntry::of(&path).unwrap().write(&path, &subject).unwrap();
-            let written = entry.paths(&folder.path().join("v1.chrome"));
-            assert!(written.iter().all(|path| path.exists()), "{written:?}");
-            let read = Library::load(&written[0]).map(Library::into_entries);
+            let files = entry.files(&folder.path().join("v1.chrome"), &subject).unwrap();
+            files.iter().for_each(|(path, bytes)| std::fs::write(path, bytes).unwrap());
+            let read = Library::load(&files[0].0).map(Library::into_entries);
             // Of a set of six, and of source code, no library is made.
             if ["npz", "safetensors", "keras"].contains(&entry.name) {
                 assert_eq!(read.unwrap()[0].network.weights(), subject.network().unwrap().weights());

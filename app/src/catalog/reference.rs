@@ -8,6 +8,7 @@ use nbrdf_core::library::builtin;
 use nbrdf_core::{Database, Library, Material, Split, data};
 
 use crate::failure::Failure;
+use crate::input;
 
 /// The reference materials and where they come from.
 pub struct Reference {
@@ -21,7 +22,7 @@ impl Reference {
     /// The library at `path`; without one the published networks in `NBRDF_DATA`; without those the built-in ones.
     pub fn load(path: Option<&Path>) -> Result<Self> {
         if let Some(path) = path {
-            return Ok(Self { kind: path.display().to_string(), materials: Library::load(path)?.materials() });
+            return Ok(Self { kind: path.display().to_string(), materials: input::library(path)?.materials() });
         }
         let published = ["merl_nbrdf.zip", "rgl_nbrdf_subset.zip"].map(data::published);
         let [Some(merl), Some(rgl)] = published else { return Ok(Self::built_in()) };

@@ -2,7 +2,9 @@
 
 mod code;
 mod painter;
+mod sample;
 pub(crate) mod samples;
+mod summary;
 mod walk;
 
 use std::path::PathBuf;
@@ -12,10 +14,10 @@ use clap::Args;
 use nbrdf_core::Material;
 use nbrdf_core::metric::{albedo_max, reciprocity};
 use nbrdf_core::stress::directions::undecided;
-use serde_json::{Value, json};
 
-use super::Global;
-use super::render::{LightName, stops};
+use super::render::lights::{LightName, Lights};
+use super::render::stops;
+use super::{Global, names};
 use crate::catalog::{Catalog, INTERPOLATIONS, InterpolationEntry};
 use crate::material::{Shelf, Sources};
 use crate::measure::guard;
@@ -39,7 +41,7 @@ pub struct Blend {
     #[arg(long, value_name = "N", conflicts_with = "at", value_parser = clap::value_parser!(u16).range(2..=64))]
     steps: Option<u16>,
     /// Method to walk by; may be given again; all of them unless told otherwise.
-    #[arg(long = "method", value_name = "M")]
+    #[arg(long = "method", value_name = "M", value_parser = names::interpolations())]
     methods: Vec<String>,
     /// Picture to write: .png with labels, or .exr with nothing but the linear spheres.
     #[arg(short, long, value_name = "PICTURE", default_value = "blend.png")]
@@ -48,7 +50,7 @@ pub struct Blend {
     #[arg(long, value_name = "CODE")]
     code: Option<PathBuf>,
     /// Lights around the spheres.
-    #[arg(long, value_enum, default_value_t = LightName::Studio)]
+    #[arg(long, value_parser = Lights, default_value_t = LightName::Studio)]
     light: LightName,
     /// Pixels per side of a sphere, 16 to 1024.
     #[arg(long, value_name = "N", default_value_t = 128, value_parser = clap::value_parser!(u16).range(16..=1024))]
@@ -151,26 +153,5 @@ impl Blend {
         };
         let picture = if is_exr(&self.output) { strip.plain() } else { strip.labelled() };
         output::write_picture(&self.output, &picture)
-    }
-
-    fn json(&self, ends: &[Material], samples: &[Sample], walks: &[Walk]) -> Value {
-        let method = |walk: &Walk| match &walk.result {
-            Ok(walked) => {
-                json!({
-                    "name": walk.entry.name, "albedo_max": walked.albedo, "reciprocity": walked.reciprocity,
-                    "distances": walked.distances, "warnings": walked.warnings,
-                })
-            }
-            Err(error) => json!({"name": walk.entry.name, "failed": format!("{error:#}")}),
-        };
-        json!({
-            "schema": 1,
-            "materials": ends.iter().map(|end| &end.name).collect::<Vec<_>>(),
-            "weights": samples.iter().map(|sample| sample.weights.as_slice()).collect::<Vec<_>>(),
-            "light": self.light.light().name,
-            "methods": walks.iter().map(method).collect::<Vec<_>>(),
-            "output": self.output.display().to_string(),
-            "code": self.code.as_ref().map(|path| path.display().to_string()),
-        })
     }
 }

@@ -1,14 +1,14 @@
 //! `nbrdf completions`: what the Tab key offers.
 
-use std::io::Write;
+mod materials;
 
-use anyhow::{Context, Result};
-use clap::{Args, CommandFactory};
+use anyhow::Result;
+use clap::Args;
 use clap_complete::Shell;
 
-use crate::cli::Cli;
+use crate::report;
 
-/// Prints the completion script of a shell.
+/// Prints the completion script of a shell: switches, names of the catalog, and the built-in materials.
 #[derive(Debug, Args)]
 pub struct Completions {
     /// Which shell.
@@ -20,10 +20,7 @@ impl Completions {
     pub fn run(&self) -> Result<()> {
         // Into memory first: the generator panics where a pipe is closed.
         let mut script = Vec::new();
-        clap_complete::generate(self.shell, &mut Cli::command(), "nbrdf", &mut script);
-        match std::io::stdout().write_all(&script) {
-            Err(error) if error.kind() == std::io::ErrorKind::BrokenPipe => Ok(()),
-            other => other.context("standard output"),
-        }
+        clap_complete::generate(self.shell, &mut materials::command(), "nbrdf", &mut script);
+        report::write(&materials::with_files(self.shell, String::from_utf8(script)?))
     }
 }

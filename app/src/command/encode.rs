@@ -6,7 +6,7 @@ use anyhow::{Context, Result};
 use clap::Args;
 use nbrdf_core::{Code, atomic};
 
-use super::Global;
+use super::{Global, names};
 use crate::catalog::Catalog;
 use crate::failure::Failure;
 use crate::material::{MAX_NUMBERS, Sources};
@@ -23,7 +23,7 @@ pub struct Encode {
     #[arg(long)]
     refine: bool,
     /// Representation that makes the code; that of the checkpoint by default, else znbrdf.
-    #[arg(long = "with", value_name = "NAME")]
+    #[arg(long = "with", value_name = "NAME", value_parser = names::representations())]
     representation: Option<String>,
     #[command(flatten)]
     sources: Sources,

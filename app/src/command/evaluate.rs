@@ -1,5 +1,7 @@
 //! `nbrdf evaluate`: how close decoded held-out materials come to themselves.
 
+mod text;
+
 use std::path::PathBuf;
 
 use anyhow::Result;
@@ -9,19 +11,18 @@ use nbrdf_core::metric::Spread;
 use nbrdf_core::{Database, Split};
 use serde_json::{Value, json};
 
-use super::Global;
+use super::{Global, names};
 use crate::catalog::{Catalog, REPRESENTATIONS, RepresentationEntry};
 use crate::measure::calibration::{Calibration, Judged};
 use crate::measure::higher_is_better;
 use crate::measure::quality::{Bench, Candidate, Encoded, Quality};
-use crate::report::table::Table;
 use crate::{progress, report};
 
 /// Measures representations on held-out materials: encode, decode, compare with the reference.
 #[derive(Debug, Args)]
 pub struct Evaluate {
     /// Representations to measure; all by default.
-    #[arg(long = "with", value_name = "NAME")]
+    #[arg(long = "with", value_name = "NAME", value_parser = names::representations())]
     with: Vec<String>,
     /// Materials to measure against; the published networks in NBRDF_DATA by default, else the built-in ones.
     #[arg(long, value_name = "LIBRARY")]
@@ -98,7 +99,7 @@ impl Evaluate {
             "schema": 1, "reference": reference.kind, "split": split, "rows": rows, "calibration": calibration,
             "note": "reference values come from networks, not from measured tables",
         });
-        report::print(global, &out, || text(&reference.kind, split, &rows_text))
+        report::print(global, &out, || text::text(&reference.kind, split, &rows_text))
     }
 
     fn row(&self, entry: &RepresentationEntry, database: Database, quality: &Quality) -> Value {
@@ -127,35 +128,4 @@ impl Evaluate {
         }
         row
     }
-}
-
-/// The keys shown to people; the JSON holds all.
-const SHOWN: [(&str, &str); 8] = [
-    ("log_error", "log_error"),
-    ("relative_log", "relative_log"),
-    ("point_psnr", "point PSNR dB"),
-    ("studio_psnr", "studio PSNR dB"),
-    ("studio_ssim", "studio SSIM"),
-    ("studio_flip", "studio FLIP"),
-    ("studio_delta_e_itp", "studio dE_ITP"),
-    ("encode_s", "encode s"),
-];
-
-fn text(reference: &str, split: Split, rows: &[Value]) -> String {
-    let of = if split == Split::HeldOut { "held-out" } else { "validation" };
-    let mut head = vec!["representation".to_owned(), "database".to_owned()];
-    head.extend(SHOWN.iter().map(|(_, title)| (*title).to_owned()));
-    head.push("ns per evaluation".to_owned());
-    let mut table = Table::new(head);
-    for row in rows {
-        let word = |key: &str| row[key].as_str().unwrap_or_default().to_owned();
-        let mut cells = vec![format!("{} {}", word("name"), word("variant")), word("database")];
-        cells.extend(SHOWN.iter().map(|(key, _)| {
-            let number = |part: &str| row[*key][part].as_f64().unwrap_or(f64::NAN);
-            format!("{} ({})", report::figure(number("mean")), report::figure(number("max")))
-        }));
-        cells.push(report::figure(row["ns"].as_f64().unwrap_or(f64::NAN)));
-        table.push(cells);
-    }
-    format!("Mean (worst) over {of} materials, reference: {reference}\n\n{table}")
 }

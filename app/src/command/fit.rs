@@ -1,6 +1,8 @@
 //! `nbrdf fit`: a network from measured data.
 
 pub(crate) mod judge;
+mod refused;
+mod text;
 
 use std::path::PathBuf;
 
@@ -11,17 +13,13 @@ use nbrdf_core::measured::{self, Measured};
 use nbrdf_core::nbrdf::MAX_HIDDEN;
 use nbrdf_core::nbrdf::fit::FitOptions;
 use nbrdf_core::sample_list::SampleList;
-use serde_json::{Value, json};
+use serde_json::json;
 
 use super::Global;
-use crate::failure::Failure;
 use crate::fitted::{self, Fitted};
 use crate::measure::guard;
 use crate::{output, progress, report};
 use judge::{samples_error, table_error};
-
-/// Azimuths of the half vector \[rad\] in a row that a list may leave out.
-const LARGEST_GAP: f32 = 1.0;
 
 /// Fits a network to a measurement: MERL .binary, RGL .bsdf, goniometer text .brdf, or values in .csv.
 #[derive(Debug, Args)]
@@ -52,6 +50,7 @@ impl Fit {
     /// Runs the command.
     pub fn run(&self, global: &Global) -> Result<()> {
         output::check(&self.output, &output::NETWORKS)?;
+        self.check_source()?;
         let measured = Measured::load(&self.source)?;
         let turns = self.anisotropic || matches!(measured, Measured::Turning(_));
         if turns {
@@ -93,26 +92,7 @@ impl Fit {
             "steps": self.steps, "seed": global.seed(),
             "output": self.output.display().to_string(), "error": error,
         });
-        report::print(global, &summary, || text(&summary))
-    }
-
-    /// Refuses switches that this measurement has no use for.
-    fn check(&self, measured: &Measured) -> Result<()> {
-        let refused = match measured {
-            Measured::Somewhere(list) if self.leave_out.is_some_and(|n| list.len() < usize::from(n)) => {
-                format!("--leave-out asks for more folds than the {} samples: choose fewer", list.len())
-            }
-            Measured::Somewhere(list) if self.anisotropic && list.largest_gap() > LARGEST_GAP => format!(
-                "the samples leave {:.0} of 360 degrees of the half vector's azimuth out, where --anisotropic would have to guess: \
-                 leave it out",
-                list.largest_gap().to_degrees()
-            ),
-            Measured::Everywhere(_) | Measured::Turning(_) if self.leave_out.is_some() => {
-                "--leave-out is for lists of samples: a table is fitted whole".to_owned()
-            }
-            _ => return Ok(()),
-        };
-        Err(Failure::Usage(refused).into())
+        report::print(global, &summary, || text::text(&summary))
     }
 }
 
@@ -133,39 +113,4 @@ fn widths(text: &str) -> Result<[usize; 2], String> {
         }
         _ => Err(format!("expected two widths of 1 to {MAX_HIDDEN}, as in 21,21")),
     }
-}
-
-fn text(summary: &Value) -> String {
-    let word = |key: &str| summary[key].as_str().unwrap_or_default();
-    let error = &summary["error"];
-    let mut lines = vec![format!("{} in {}", word("material"), word("output"))];
-    let figure = |value: &Value| report::figure(value.as_f64().unwrap_or(f64::NAN));
-    if error["samples"].is_null() {
-        lines.push(format!(
-            "  log_error {}, studio PSNR {} dB",
-            figure(&error["log_error"]),
-            figure(&error["studio_psnr"])
-        ));
-    } else {
-        let by = match error["folds"].as_u64() {
-            Some(folds) => format!("each judged by a fit without it, {folds} fits"),
-            None => "judged by those it was fitted to: --leave-out 10 says how it does elsewhere".to_owned(),
-        };
-        lines.push(format!(
-            "  {} samples, {} below the horizon left out; {by}",
-            error["samples"], error["below_horizon"]
-        ));
-        for (key, name) in [
-            ("relative_error", "the network"),
-            ("of_lambert_ggx", "a GGX lobe over a diffuse base"),
-            ("of_lambert", "a diffuse base"),
-        ] {
-            let share = |part: &str| 100.0 * error[key][part].as_f64().unwrap_or(f64::NAN);
-            let [mean, median, p90] = ["mean", "median", "p90"].map(share);
-            lines.push(format!(
-                "  off by {mean:6.1} % in the mean, {median:5.1} in the median, {p90:5.1} at 90 %: {name}"
-            ));
-        }
-    }
-    lines.join("\n") + "\n"
 }

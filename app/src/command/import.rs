@@ -1,18 +1,20 @@
 //! `nbrdf import`: published networks into a library; with a fit, networks of this project's own.
 
+mod derived;
+
 use std::path::{Path, PathBuf};
 
-use anyhow::{Context, Result};
+use anyhow::Result;
 use clap::Args;
 use nbrdf_core::Library;
-use nbrdf_core::hash::sha256;
 use nbrdf_core::library::refit::{Event, Start, refit};
-use nbrdf_core::library::{Entry, Provenance, Source, scan};
+use nbrdf_core::library::{Entry, Provenance, scan};
 use nbrdf_core::nbrdf::fit::FitOptions;
 
 use super::Global;
 use crate::failure::Failure;
-use crate::{output, progress, report};
+use crate::{input, output, progress, report};
+use derived::{derived, file_name};
 
 /// Reads published networks (.zip, .h5, .npy sets, .npz, .safetensors, folders) into a library.
 ///
@@ -22,7 +24,7 @@ pub struct Import {
     /// Archives, folders or files of networks.
     #[arg(required = true, value_name = "SRC")]
     sources: Vec<PathBuf>,
-    /// Folder of the library to write.
+    /// Folder of the library to write; one that is there is replaced, and nothing else.
     #[arg(short, long, value_name = "LIBRARY")]
     output: PathBuf,
     /// Fit every network again from one shared initial network, so that weights can be mixed.
@@ -59,14 +61,17 @@ impl Import {
         report::print(global, &summary, || format!("{} materials in {}\n", library.len(), self.output.display()))
     }
 
-    /// Refuses a folder that cannot be written, before the work: asks the nearest folder that is there already.
+    /// Refuses a folder that cannot be written, before the work, and one with such files of something else: asks the nearest
+    /// folder that is there already.
     fn check_output(&self) -> Result<()> {
         let there = |path: &&Path| path.as_os_str().is_empty() || path.exists();
         let nearest = self.output.ancestors().find(there).unwrap_or(Path::new("."));
-        output::check_writable(&nearest.join("manifest.json"))
+        output::check_writable(&nearest.join("manifest.json"))?;
+        Ok(Library::check_folder(&self.output)?)
     }
 
     fn read(&self, source: &Path, entries: &mut Vec<Entry>, global: &Global) -> Result<()> {
+        input::check(source, "an archive, a folder or a file of networks")?;
         for scanned in scan(source)? {
             match scanned.entry {
                 Ok(entry) => entries.push(entry),
@@ -120,32 +125,4 @@ impl Import {
         let derived_from = self.sources.iter().map(|source| derived(source)).collect::<Result<_>>()?;
         Ok(Provenance { title: kind.to_owned(), command, seed: global.seed(), derived_from })
     }
-}
-
-fn file_name(path: &Path) -> String {
-    path.file_name().unwrap_or(path.as_os_str()).to_string_lossy().into_owned()
-}
-
-/// SHA-256 of the published archives, by which they are recognised.
-const PUBLISHED: [&str; 2] = [
-    "de79644946de1870f2dea6805ae8b4bdaa36bc55c33ef5a135223bdfcdb3ab80",
-    "40995a4de63af018c3d93f1589d102170e7cd16a4f6c91e6a798656bce013a2c",
-];
-
-/// What a source is, who published it, on which terms.
-fn derived(path: &Path) -> Result<Source> {
-    let sum = match path.is_file() {
-        true => sha256(&std::fs::read(path).with_context(|| format!("{}: cannot be read", path.display()))?),
-        false => String::new(),
-    };
-    let (source, terms) = match PUBLISHED.contains(&sum.as_str()) {
-        true => (
-            "Sztrajman, Rainer, Ritschel, Weyrich 2021, Neural BRDF Representation and Importance Sampling, \
-             doi 10.1111/cgf.14335: published network weights",
-            "MIT; the measurements behind them: MERL BRDF database (Matusik et al. 2003), \
-             RGL material database (Dupuy and Jakob 2018)",
-        ),
-        false => ("not known to this program", "ask who made it"),
-    };
-    Ok(Source { file: file_name(path), sha256: sum, source: source.into(), terms: terms.into() })
 }

@@ -4,14 +4,13 @@ use std::path::PathBuf;
 
 use anyhow::{Context, Result};
 use clap::{Args, ValueEnum};
-use nbrdf_core::Library;
 use nbrdf_core::representation::grid::Grid;
 use serde_json::json;
 
-use super::Global;
+use super::{Global, names};
 use crate::catalog::{BasisSize, Catalog, Learned};
 use crate::failure::Failure;
-use crate::{output, report};
+use crate::{input, output, report};
 
 /// Most components over the grid of MERL: 17.5 MB each, in a file of 2 GiB.
 const MOST_OVER_MERL: usize = 120;
@@ -20,8 +19,8 @@ const MOST_OVER_MERL: usize = 120;
 /// wherever codes are made or read.
 #[derive(Debug, Args)]
 pub struct Learn {
-    /// Representation to learn: pca_tables, charting_15, linear_combination, optimal_sampling_20, ...
-    #[arg(value_name = "NAME")]
+    /// Representation to learn.
+    #[arg(value_name = "NAME", value_parser = names::bases())]
     name: String,
     /// Library to learn from; the built-in one by default.
     #[arg(long, value_name = "PATH")]
@@ -52,7 +51,7 @@ impl Learn {
     pub fn run(&self, global: &Global) -> Result<()> {
         output::check(&self.output, &["safetensors"])?;
         self.check(Catalog::learned(&self.name)?)?;
-        let library = self.library.as_deref().map(Library::load).transpose()?;
+        let library = self.library.as_deref().map(input::library).transpose()?;
         let grid = self.grid.map(|cells| match cells {
             Cells::Coarse => Grid::Coarse,
             Cells::Merl => Grid::Merl,

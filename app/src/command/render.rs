@@ -1,12 +1,14 @@
 //! `nbrdf render`: a sphere of a material.
 
+pub(crate) mod lights;
 mod surroundings;
 
 use std::path::PathBuf;
 
 use anyhow::Result;
-use clap::{Args, ValueEnum};
-use nbrdf_core::render::{Light, Sphere};
+use clap::Args;
+use lights::{LightName, Lights};
+use nbrdf_core::render::Sphere;
 use serde_json::json;
 use surroundings::Surroundings;
 
@@ -25,7 +27,7 @@ pub struct Render {
     #[arg(short, long, value_name = "PICTURE")]
     output: PathBuf,
     /// Lights around the sphere.
-    #[arg(long, value_enum, default_value_t = LightName::Studio)]
+    #[arg(long, value_parser = Lights, default_value_t = LightName::Studio)]
     light: LightName,
     /// Pixels per side, 1 to 4096.
     #[arg(long, value_name = "N", default_value_t = 512, value_parser = clap::value_parser!(u16).range(1..=4096))]
@@ -37,25 +39,6 @@ pub struct Render {
     surroundings: Surroundings,
     #[command(flatten)]
     sources: Sources,
-}
-
-/// The standard lights.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum LightName {
-    /// One lamp at 45°.
-    Point,
-    /// Three keys and a ring of fills.
-    Studio,
-}
-
-impl LightName {
-    /// The light itself.
-    pub fn light(self) -> Light {
-        match self {
-            Self::Point => Light::point(),
-            Self::Studio => Light::studio(),
-        }
-    }
 }
 
 /// Exposure in stops, within what a picture can show.

@@ -1,6 +1,7 @@
 //! `nbrdf stress`: all methods under all hazards, and where they fail.
 
 mod heat_map;
+mod measured;
 mod page;
 mod saved;
 mod sentences;
@@ -12,14 +13,11 @@ use std::path::{Path, PathBuf};
 use anyhow::{Context, Result};
 use clap::Args;
 use nbrdf_core::atomic;
-use nbrdf_core::stress::Group;
 
-use super::Global;
-use crate::catalog::{Catalog, INTERPOLATIONS, REPRESENTATIONS};
+use super::{Global, names};
 use crate::failure::Failure;
-use crate::measure::stress::{Extent, Setup, hazards};
 use crate::report::saved::SavedReport;
-use crate::{output, progress, report};
+use crate::{output, report};
 
 pub use saved::Saved;
 
@@ -34,10 +32,10 @@ pub struct Stress {
     pictures: Option<PathBuf>,
     /// Hazard to measure, or a kind of them: directions, numbers, data, physics, learning, paths; all by default. May be
     /// given again.
-    #[arg(long = "hazard", value_name = "NAME")]
+    #[arg(long = "hazard", value_name = "NAME", value_parser = names::hazards())]
     hazards: Vec<String>,
     /// Method to measure: a representation, a way between materials, or reference; all by default. May be given again.
-    #[arg(long = "method", value_name = "NAME")]
+    #[arg(long = "method", value_name = "NAME", value_parser = names::methods())]
     methods: Vec<String>,
     /// Fewer materials, pairs and steps: minutes instead of an hour.
     #[arg(long)]
@@ -91,87 +89,6 @@ impl Stress {
         // Only now is everything where it belongs.
         if self.from.is_none() {
             let _ = std::fs::remove_file(self.partial());
-        }
-        Ok(())
-    }
-
-    fn measure(&self, global: &Global) -> Result<Saved> {
-        self.check_names()?;
-        let catalog = Catalog::for_measuring(self.reference.as_deref(), self.checkpoint.as_deref())?;
-        let extent = if self.quick { Extent::QUICK } else { Extent::FULL };
-        let extent = Extent { steps: self.steps.map_or(extent.steps, |steps| steps as usize), ..extent };
-        let setup = Setup {
-            catalog: &catalog,
-            extent,
-            seed: global.seed(),
-            hazards: self.hazards.clone(),
-            methods: self.methods.clone(),
-        };
-        let mut saved = Saved::new(&setup)?;
-        let partial = self.partial();
-        match (self.resume, partial.exists()) {
-            (true, true) => saved = saved.resumed(Saved::load(&partial)?, &partial)?,
-            (true, false) => {
-                global.warn(format_args!("nothing to go on from at {}: starting anew", partial.display()))?;
-            }
-            (false, true) => global.warn(format_args!(
-                "{} of an interrupted run is written over: --resume would go on with it",
-                partial.display()
-            ))?,
-            (false, false) => {}
-        }
-        let is_resumed = !saved.groups.is_empty();
-        let bar = progress::spinner("measuring", global.quiet);
-        for group in Group::ALL {
-            if saved.groups.contains(&group) || !setup.wants_any(group) {
-                continue;
-            }
-            let cells = setup.measure(group, &|what| {
-                progress::check()?;
-                bar.set_message(format!("{}: {what}", group.name()));
-                bar.inc(1);
-                Ok(())
-            });
-            saved.cells.extend(cells.with_context(|| self.advice(&saved))?);
-            saved.groups.push(group);
-            // What is done is done: the next run may go on from here.
-            if !saved.cells.is_empty() {
-                write(&partial, &serde_json::to_string(&saved)?)?;
-            }
-        }
-        bar.finish_and_clear();
-        // Whoever asked for a basis before the interruption is not known any more.
-        if !is_resumed {
-            catalog.check_used()?;
-        }
-        if saved.cells.is_empty() {
-            return Err(Failure::Usage("no such method is exposed to such a hazard: name others".into()).into());
-        }
-        Ok(saved)
-    }
-
-    /// Where the groups that are done wait for the others.
-    fn partial(&self) -> PathBuf {
-        self.output.with_extension("partial.json")
-    }
-
-    fn advice(&self, saved: &Saved) -> String {
-        match saved.groups.is_empty() {
-            true => "nothing was finished".to_owned(),
-            false => format!("{} keeps what was finished: go on with --resume", self.partial().display()),
-        }
-    }
-
-    fn check_names(&self) -> Result<()> {
-        let groups = Group::ALL.map(Group::name);
-        let hazards: Vec<&str> = groups.into_iter().chain(hazards().into_iter().map(|hazard| hazard.name)).collect();
-        let methods =
-            REPRESENTATIONS.iter().map(|entry| entry.name).chain(INTERPOLATIONS.iter().map(|entry| entry.name));
-        let methods: Vec<&str> = methods.chain(["reference"]).collect();
-        for (what, names, known) in [("hazard", &self.hazards, &hazards), ("method", &self.methods, &methods)] {
-            if let Some(name) = names.iter().find(|name| !known.contains(&name.as_str())) {
-                return Err(crate::catalog::unknown(what, name, known.iter().copied()));
-            }
         }
         Ok(())
     }

@@ -9,12 +9,12 @@ use clap::{Args, ValueEnum};
 use nbrdf_core::library::builtin;
 use nbrdf_core::metric::log_error;
 use nbrdf_core::sampling::{evaluate, rus32k};
-use nbrdf_core::{Database, Library, Material, Nbrdf, Representation, Split};
+use nbrdf_core::{Database, Material, Nbrdf, Representation, Split};
 use serde_json::json;
 
 use super::Global;
 use crate::failure::Failure;
-use crate::{families, output, progress, report};
+use crate::{families, input, output, progress, report};
 
 /// Analytic materials that training sees beside the measured ones.
 const ANALYTIC: usize = 256;
@@ -66,7 +66,7 @@ impl Train {
     pub fn run(&self, global: &Global) -> Result<()> {
         output::check(&self.output, &["safetensors"])?;
         let options = self.options(global)?;
-        let loaded = self.library.as_deref().map(Library::load).transpose()?;
+        let loaded = self.library.as_deref().map(input::library).transpose()?;
         let library = loaded.as_ref().unwrap_or_else(|| builtin::shared());
         let shown = if self.validate { Split::Validation } else { Split::HeldOut };
         let learns = |name: &str| Split::of(name).is_learned_from(self.validate);

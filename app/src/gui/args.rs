@@ -2,16 +2,11 @@
 
 use std::path::PathBuf;
 
-use anyhow::{Result, anyhow};
 use clap::{Args, ValueEnum};
-use nbrdf_core::library::builtin;
 
 use super::pane::Pane;
-use super::renderer::{self, Renderer};
-use super::session::{LAMP, Way};
-use super::store::{self, Found};
-use super::window::{self, Opening};
-use super::{Layout, Session};
+use super::renderer::Renderer;
+use super::session::LAMP;
 use crate::worker::{Asset, Lighting};
 
 /// The desktop app: walk between two materials and watch.
@@ -70,7 +65,7 @@ pub struct App {
 /// Where the light comes from.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 pub enum Light {
-    /// Eleven lamps, as in reports.
+    /// Eleven lamps: three keys and a ring of fills.
     Studio,
     /// One lamp at 45°.
     Point,
@@ -79,7 +74,7 @@ pub enum Light {
 }
 
 impl Light {
-    fn lighting(self) -> Lighting {
+    pub(super) fn lighting(self) -> Lighting {
         match self {
             Self::Studio => Lighting::Studio,
             Self::Point => LAMP,
@@ -95,120 +90,6 @@ pub enum Theme {
     Dark,
     /// Dark text on light.
     Light,
-}
-
-impl App {
-    /// Opens the window; returns when it is closed.
-    ///
-    /// # Errors
-    /// If a material is unknown, or there is no display to open a window on.
-    pub fn run(&self) -> Result<()> {
-        // Names are checked before anything is opened.
-        self.session(Session::default())?;
-        if !has_display() {
-            return Err(no_display("neither DISPLAY nor WAYLAND_DISPLAY is set"));
-        }
-        // Pictures of the window are of a new session or of one that was named, and leave no trace.
-        let named = if self.is_filmed() { store::named() } else { store::file() };
-        let file = named.clone().filter(|_| !self.is_filmed());
-        let mut opening = Opening { file, ..Opening::default() };
-        match named.as_deref().filter(|_| !self.new).map(store::read) {
-            Some(Found::Session(saved)) => {
-                opening.session = saved.session;
-                opening.layout = saved.layout.filter(Layout::is_whole);
-                opening.size = saved.window;
-            }
-            Some(Found::Damaged(why)) => opening.notices.push(why),
-            Some(Found::Stuck(why)) => {
-                opening.file = None;
-                opening.notices.push(why);
-            }
-            Some(Found::Nothing) | None => {}
-        }
-        if let Some(file) = opening.file.as_deref().filter(|file| self.new && file.exists()) {
-            match store::put_aside(file, "before.json") {
-                Ok(aside) => opening.notices.push(format!("The session before is kept as {}.", aside.display())),
-                Err(error) => {
-                    let why = format!("{}: could not be put aside ({error})", file.display());
-                    opening.notices.push(format!("{why}, so that this session is not saved."));
-                    opening.file = None;
-                }
-            }
-        }
-        opening.session = self.session(opening.session)?;
-        opening.size = self.size.map(|size| size.map(f32::from)).or(opening.size);
-        if let Some(why) = &self.instead {
-            opening.notices.push(renderer::notice(why));
-        }
-        let Err(error) = window::open(self.clone(), opening) else { return Ok(()) };
-        let why = reason(&error);
-        if self.instead.is_some() || !self.renderer.has_second(&error) {
-            return Err(no_display(&why));
-        }
-        let ended = renderer::again(&why).map_err(|error| no_display(&format!("{why}; {error}")))?;
-        if ended.success() {
-            return Ok(());
-        }
-        // It has said itself what was wrong.
-        std::process::exit(ended.code().unwrap_or(1))
-    }
-
-    /// What the command line asks of a session: the last one, or a new one.
-    fn session(&self, last: Session) -> Result<Session> {
-        let mut session = last;
-        let look = &mut session.look;
-        look.scenery.lighting = self.light.map_or(look.scenery.lighting, Light::lighting);
-        for (end, name) in [&self.a, &self.b].into_iter().enumerate() {
-            if let Some(name) = name {
-                session.blend.choose(end, &builtin::shared().get(name)?.name);
-            }
-        }
-        if self.b.is_some() {
-            // It is the material at t = 1, also where the last session had more.
-            session.blend.ends.truncate(2);
-        }
-        if let Some(t) = self.t {
-            (session.blend.way, session.blend.t) = (Way::Keys, t);
-        }
-        session.theme = match self.theme {
-            Some(Theme::Dark) => egui::ThemePreference::Dark,
-            Some(Theme::Light) => egui::ThemePreference::Light,
-            None => session.theme,
-        };
-        Ok(session)
-    }
-
-    /// Whether pictures of the window are taken.
-    pub(super) fn is_filmed(&self) -> bool {
-        self.screenshot.is_some() || self.film.is_some() || self.drive.is_some()
-    }
-}
-
-/// What the window system said, without the place in the source that it said it from.
-fn reason(error: &eframe::Error) -> String {
-    let text = match error {
-        // What was tried to no avail fills half a window.
-        eframe::Error::NoGlutinConfigs(_, why) => why.to_string(),
-        error => error.to_string(),
-    };
-    text.rsplit(".rs:")
-        .next()
-        .unwrap_or_default()
-        .trim_start_matches(|c: char| c.is_ascii_digit() || c == ':')
-        .trim()
-        .to_owned()
-}
-
-fn has_display() -> bool {
-    let is_set = |name| std::env::var_os(name).is_some_and(|value| !value.is_empty());
-    !cfg!(all(unix, not(target_os = "macos"))) || is_set("DISPLAY") || is_set("WAYLAND_DISPLAY")
-}
-
-fn no_display(why: &str) -> anyhow::Error {
-    anyhow!(
-        "there is no display to open a window on ({why}); \
-         without one, try `nbrdf blend gold-paint blue-acrylic`"
-    )
 }
 
 fn share(text: &str) -> Result<f32, String> {
@@ -240,11 +121,5 @@ mod tests {
     fn a_place_on_the_path_is_a_number_from_0_to_1() {
         assert_eq!(share("0.25"), Ok(0.25));
         assert!(["nan", "inf", "-0.1", "3", ""].iter().all(|text| share(text).is_err()));
-    }
-
-    #[test]
-    fn an_unknown_material_is_refused_before_a_window_opens() {
-        let app = App { a: Some("crome".to_owned()), ..App::default() };
-        assert!(app.session(Session::default()).unwrap_err().to_string().contains("did you mean `chrome`"));
     }
 }

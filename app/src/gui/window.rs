@@ -1,6 +1,7 @@
 //! The window around the workbench.
 
 mod camera;
+mod failures;
 mod stopwatch;
 
 use std::path::PathBuf;
@@ -12,6 +13,7 @@ use egui::{Ui, ViewportBuilder};
 use super::{App, Layout, Session, Workbench};
 use crate::worker::{self, Cache, Stock};
 use camera::Camera;
+pub use failures::Failures;
 use stopwatch::Stopwatch;
 
 /// What the window opens with.
@@ -27,8 +29,8 @@ pub struct Opening {
     pub notices: Vec<String>,
 }
 
-/// Opens the window; returns when it is closed.
-pub fn open(app: App, opening: Opening) -> eframe::Result {
+/// Opens the window; returns when it is closed. What could not be written goes into `failures`.
+pub fn open(app: App, opening: Opening, failures: &Failures) -> eframe::Result {
     let start = Instant::now();
     worker::prepare();
     let [width, height] = opening.size.unwrap_or([1280.0, 800.0]).map(|side| side.max(480.0));
@@ -45,6 +47,7 @@ pub fn open(app: App, opening: Opening) -> eframe::Result {
         renderer: app.renderer.drawn_by(app.instead.is_some()),
         ..NativeOptions::default()
     };
+    let failures = failures.clone();
     let create = move |creation: &eframe::CreationContext| {
         if app.is_filmed() {
             // Wherever the pointer happens to be.
@@ -65,10 +68,10 @@ pub fn open(app: App, opening: Opening) -> eframe::Result {
             workbench.layout.get_or_insert_with(|| Layout::of(width)).bring(pane);
         }
         app.files.iter().for_each(|file| workbench.open(file.clone()));
-        let film = app.film.as_deref().map(|folder| Camera::film(folder, app.frames));
-        let camera = app.screenshot.map(Camera::still).or(film);
+        let film = app.film.as_deref().map(|folder| Camera::film(folder, app.frames, failures.clone()));
+        let camera = app.screenshot.map(|file| Camera::still(file, failures.clone())).or(film);
         let stopwatch = app.report.map(|file| Stopwatch::new(file, app.drive, start));
-        Ok(Box::new(Window { workbench, camera, stopwatch, size: None }) as Box<dyn eframe::App>)
+        Ok(Box::new(Window { workbench, camera, stopwatch, failures, size: None }) as Box<dyn eframe::App>)
     };
     eframe::run_native("nbrdf", options, Box::new(create))
 }
@@ -77,6 +80,7 @@ struct Window {
     workbench: Workbench,
     camera: Option<Camera>,
     stopwatch: Option<Stopwatch>,
+    failures: Failures,
     /// Of what is within the window \[points\].
     size: Option<[f32; 2]>,
 }
@@ -100,7 +104,7 @@ impl eframe::App for Window {
 
     fn on_exit(&mut self, _: Option<&eframe::glow::Context>) {
         if let Some(stopwatch) = &self.stopwatch {
-            stopwatch.finish(&self.workbench);
+            stopwatch.finish(&self.workbench, &self.failures);
         }
         self.workbench.finish(self.size);
     }

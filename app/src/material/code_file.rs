@@ -7,12 +7,17 @@ use std::path::Path;
 
 use anyhow::Result;
 use nbrdf_core::Code;
-
-use crate::failure::Failure;
 use nbrdf_core::library::is_name;
 
+use crate::failure::Failure;
+use crate::input::{check_file, is_missing, missing};
+
+/// Extension of files of codes.
+pub const EXTENSION: &str = "json";
 /// Stands for standard input.
 pub const STDIN: &str = "-";
+/// What a path to a code should lead to.
+const EXPECTED: &str = "a code";
 /// Largest code read \[bytes\]; one of 32 numbers has some 600.
 const MAX_BYTES: u64 = 1 << 20;
 /// Longest code written: at most 16 digits, sign and comma included, of each number are below [`MAX_BYTES`].
@@ -20,7 +25,8 @@ pub const MAX_NUMBERS: usize = 1 << 15;
 
 /// Whether an argument names a code rather than a material or a network.
 pub fn means_a_code(argument: &str) -> bool {
-    argument == STDIN || Path::new(argument).extension().is_some_and(|extension| extension.eq_ignore_ascii_case("json"))
+    let extension = Path::new(argument).extension();
+    argument == STDIN || extension.is_some_and(|extension| extension.eq_ignore_ascii_case(EXTENSION))
 }
 
 /// What an error message calls it.
@@ -30,6 +36,13 @@ pub fn shown(argument: &str) -> String {
 
 /// Reads a code from a file, or from standard input for `-`. Its model has still to check its numbers.
 pub fn read_code(argument: &str) -> Result<Code> {
+    if argument != STDIN {
+        let path = Path::new(argument);
+        if is_missing(path) {
+            return Err(missing(argument, EXPECTED, ", or make one with `nbrdf encode`").into());
+        }
+        check_file(path, EXPECTED)?;
+    }
     let mut bytes = Vec::new();
     let read = match argument {
         STDIN => std::io::stdin().lock().take(MAX_BYTES + 1).read_to_end(&mut bytes),
@@ -59,7 +72,7 @@ pub fn parse_code(argument: &str, bytes: &[u8]) -> Result<Code> {
 }
 
 fn invalid(argument: &str, found: &dyn Display) -> Failure {
-    let expected = "expected a code ({\"schema\": 1, ...})";
+    let expected = format!("expected {EXPECTED} ({{\"schema\": 1, ...}})");
     Failure::InvalidFile(format!("{}: {expected}, {found}: make one with `nbrdf encode`", shown(argument)))
 }
 

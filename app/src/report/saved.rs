@@ -7,6 +7,7 @@ use anyhow::Result;
 use serde::de::DeserializeOwned;
 
 use crate::failure::Failure;
+use crate::input::check_file;
 
 /// A report that a command reads again.
 pub trait SavedReport: DeserializeOwned {
@@ -29,6 +30,7 @@ pub trait SavedReport: DeserializeOwned {
     /// # Errors
     /// The file cannot be read, is too large, or is no such report.
     fn load(path: &Path) -> Result<Self> {
+        check_file(path, &expected::<Self>())?;
         let name = path.display().to_string();
         let bytes = nbrdf_core::bounded::read(path, Self::MAX_BYTES).map_err(|error| invalid::<Self>(&name, &error))?;
         let too_large = || invalid::<Self>(&name, &format_args!("more than {} bytes", Self::MAX_BYTES));
@@ -50,7 +52,9 @@ pub trait SavedReport: DeserializeOwned {
 }
 
 fn invalid<S: SavedReport>(path: &str, found: &dyn Display) -> Failure {
-    let command = S::COMMAND;
-    let expected = format!("expected a report of `nbrdf {command} --json`");
-    Failure::InvalidFile(format!("{path}: {expected}, found {found}: make it again"))
+    Failure::InvalidFile(format!("{path}: expected {}, found {found}: make it again", expected::<S>()))
+}
+
+fn expected<S: SavedReport>() -> String {
+    format!("a report of `nbrdf {} --json`", S::COMMAND)
 }

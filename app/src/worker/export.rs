@@ -107,7 +107,7 @@ impl Exporter {
         let made = self.make(job)?;
         let bytes: usize = made.files.iter().map(|(_, bytes)| bytes.len()).sum();
         if bytes > MOST_BYTES {
-            bail!("all files together have more than {} MB: choose fewer steps", MOST_BYTES >> 20);
+            bail!("all files together have more than {} MiB: choose fewer steps", MOST_BYTES >> 20);
         }
         let manifest = manifest::of(&self.office, job, &made)?;
         let files: Vec<_> = std::iter::once((job.manifest(), manifest)).chain(made.files).collect();

@@ -19,6 +19,7 @@ use super::office::Office;
 use super::opened::Opened;
 use super::{Answer, PastedCode, guarded};
 use crate::fitted::Fitted;
+use crate::input;
 use crate::material::{decoded, read_code};
 
 /// Measurements beyond this size \[bytes\] are fitted anew at every start.
@@ -93,7 +94,7 @@ impl Desk {
     fn read(&self, path: &Path, is_again: bool) -> Result<(), String> {
         let is = |form: &str| path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case(form));
         if !path.exists() {
-            return Err(format!("{}: expected a file or a folder, found none: check the path", path.display()));
+            return Err(input::missing(path.display(), "a file or a folder", "").to_string());
         }
         if is("hdr") || is("exr") {
             return self.map(path, is_again);

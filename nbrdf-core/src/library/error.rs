@@ -2,8 +2,14 @@
 
 use std::{io, path::Path};
 
-use super::MAX_ENTRIES;
-use crate::nbrdf::{file::ReadError, safetensors::TensorError};
+use super::{MAX_ENTRIES, folder::FILES};
+use crate::{
+    extensions::listed,
+    nbrdf::{
+        file::{Form, ReadError},
+        safetensors::TensorError,
+    },
+};
 
 /// Why a library cannot be opened or written.
 #[derive(Debug, thiserror::Error)]
@@ -33,7 +39,7 @@ pub enum LibraryError {
         limit: u64,
     },
     /// Nothing to read there.
-    #[error("{path}: expected .h5, .npz, .safetensors or .npy networks, found none: name a folder or archive of them")]
+    #[error("{path}: expected networks ({}), found none: name a folder or archive of them", listed(&Form::EXTENSIONS))]
     Empty {
         /// The archive or folder.
         path: String,
@@ -50,6 +56,17 @@ pub enum LibraryError {
     /// The two files do not belong together.
     #[error("manifest.json and library.safetensors do not belong together ({0}): make the library again")]
     Mismatch(String),
+    /// Files that a library would be written over, and that are none of its own.
+    #[error(
+        "{path}: expected no {}, or both of a library, found {found}: name another folder, or move them away",
+        FILES.join(" and no ")
+    )]
+    Foreign {
+        /// The folder.
+        path: String,
+        /// What is there instead.
+        found: String,
+    },
     /// A number that JSON cannot hold.
     #[error("error `{key}` of material `{name}` is {value}, expected a finite number")]
     NotFinite {

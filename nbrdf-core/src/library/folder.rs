@@ -17,6 +17,8 @@ use crate::{
 
 const TENSORS: &str = "library.safetensors";
 const MANIFEST: &str = "manifest.json";
+/// The files of a library.
+pub(super) const FILES: [&str; 2] = [MANIFEST, TENSORS];
 /// The manifest while a save is under way.
 const STAGED: &str = ".manifest.json.new";
 /// Largest of the two files that is read \[bytes\].
@@ -24,9 +26,9 @@ const MAX_BYTES: u64 = 64 << 20;
 
 /// The folder of a library of ours, if the path is one, or one of its two files.
 pub(super) fn of_library(path: &Path) -> Option<PathBuf> {
-    let ours = |name: &std::ffi::OsStr| name == TENSORS || name == MANIFEST;
+    let ours = |name: &std::ffi::OsStr| FILES.iter().any(|own| name == *own);
     if path.is_dir() {
-        return [TENSORS, MANIFEST].iter().any(|name| path.join(name).is_file()).then(|| path.to_owned());
+        return FILES.iter().any(|name| path.join(name).is_file()).then(|| path.to_owned());
     }
     (path.is_file() && path.file_name().is_some_and(ours)).then(|| path.with_file_name(""))
 }
@@ -49,6 +51,21 @@ pub(super) fn load(folder: &Path) -> Result<Library, LibraryError> {
     whole.or_else(|error| match read(STAGED).and_then(|manifest| Library::from_bytes(&tensors, &manifest)) {
         Ok(library) => Ok(library),
         Err(_) => Err(error),
+    })
+}
+
+/// Refuses a folder in which a save would replace something else than a library.
+pub(super) fn check(folder: &Path) -> Result<(), LibraryError> {
+    let there: Vec<&str> = FILES.into_iter().filter(|name| folder.join(name).symlink_metadata().is_ok()).collect();
+    if there.is_empty() {
+        return Ok(());
+    }
+    load(folder).map(drop).map_err(|error| {
+        let found = match there.as_slice() {
+            [alone] => format!("{alone} alone"),
+            _ => error.to_string(),
+        };
+        LibraryError::Foreign { path: folder.display().to_string(), found }
     })
 }
 

@@ -149,6 +149,24 @@ fn a_save_stopped_between_its_two_renames_is_read_as_finished() {
 }
 
 #[test]
+fn a_folder_with_files_of_something_else_is_not_for_a_library() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = |name: &str| folder.path().join(name);
+    let told = || Library::check_folder(folder.path()).map_err(|error| error.to_string());
+    assert_eq!(told(), Ok(()));
+    fs::write(file("notes.txt"), "stays").unwrap();
+    fs::write(file("manifest.json"), r#"{"name": "a web page"}"#).unwrap();
+    assert!(told().unwrap_err().contains("found manifest.json alone: name another folder"), "{told:?}", told = told());
+    fs::write(file("library.safetensors"), "weights of another program").unwrap();
+    assert!(told().unwrap_err().contains("schema none"), "{told:?}", told = told());
+    sample().save(folder.path()).unwrap();
+    assert_eq!(told(), Ok(()));
+    fs::rename(file("manifest.json"), file(".manifest.json.new")).unwrap();
+    assert_eq!(told(), Ok(()), "a save that was stopped is a library");
+    assert_eq!(Library::check_folder(&file("new")).map_err(|error| error.to_string()), Ok(()));
+}
+
+#[test]
 fn a_manifest_and_tensors_that_disagree_are_refused() {
     let row = r#"{"name": "chrome", "database": "merl", "held_out": true, "source_file": "f"}"#;
     let manifest = |schema: u32, rows: &str| {
@@ -327,7 +345,7 @@ fn a_place_without_networks_is_an_error_that_says_what_is_read() {
     assert!(matches!(Library::load(&folder.path().join("none.zip")), Err(LibraryError::Io { .. })));
     assert!(matches!(Library::load(&folder.path().join("none")), Err(LibraryError::Io { .. })));
     let (_keep, path) = written("notes.txt", b"hello");
-    assert!(Library::load(&path).unwrap_err().to_string().contains("expected .h5, .npz"));
+    assert!(Library::load(&path).unwrap_err().to_string().contains("expected networks (.h5, "));
 }
 
 #[test]

@@ -3,6 +3,7 @@
 use std::fmt;
 
 use super::Library;
+use crate::near::near;
 
 /// No material of this name.
 #[derive(Clone, Debug, PartialEq)]
@@ -29,23 +30,10 @@ impl fmt::Display for UnknownMaterial {
 }
 
 pub(super) fn unknown(library: &Library, asked: &str) -> UnknownMaterial {
-    let plain = |name: &str| name.to_lowercase().replace(['_', ' '], "-");
-    let wanted = plain(asked);
-    let mut near: Vec<(f64, &str)> = library
-        .iter()
-        .map(|entry| {
-            // `paper-white` is near `rgl/paper_white`.
-            let (name, bare) = (plain(&entry.name), plain(entry.name.rsplit('/').next().unwrap_or_default()));
-            let score = strsim::normalized_damerau_levenshtein(&wanted, &name)
-                .max(strsim::normalized_damerau_levenshtein(&wanted, &bare));
-            (score, entry.name.as_str())
-        })
-        .filter(|(score, _)| *score >= 0.6)
-        .collect();
-    near.sort_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(b.1)));
+    let suggestions = near(asked, library.iter().map(|entry| entry.name.as_str()));
     UnknownMaterial {
         name: asked.to_owned(),
-        suggestions: near.into_iter().take(3).map(|(_, name)| name.to_owned()).collect(),
+        suggestions: suggestions.into_iter().map(str::to_owned).collect(),
         materials: library.len(),
     }
 }

@@ -15,7 +15,7 @@ use super::{
     npy::{self, NpyError},
     safetensors::{self, TensorError},
 };
-use crate::atomic;
+use crate::{atomic, extensions::listed};
 
 pub use form::Form;
 
@@ -42,7 +42,7 @@ pub enum ReadProblem {
     #[error("more than {MAX_FILE} bytes, expected a network of some 20 kB: is it the right file?")]
     TooLarge,
     /// The name says nothing that is read here.
-    #[error("expected .h5, .npz, .safetensors or a set of .npy named NAME_fc1.npy ... NAME_b3.npy, found this name")]
+    #[error("expected the extension {} (six .npy are NAME_fc1.npy ... NAME_b3.npy), found this name", listed(&Form::EXTENSIONS))]
     UnknownForm,
     /// An archive's entry cannot be unpacked.
     #[error("cannot be unpacked ({0}): unpack it with another program, or fetch it again")]

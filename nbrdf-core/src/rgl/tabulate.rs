@@ -43,7 +43,7 @@ pub struct Resolution {
 }
 
 impl Resolution {
-    /// From small to large: 1 to 57 MB.
+    /// From small to large: 0.9 to 57 MB.
     pub const LADDER: [Self; 5] = [
         Self { eyes: 24, side: 48 },
         Self { eyes: 32, side: 64 },

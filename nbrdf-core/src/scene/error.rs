@@ -19,7 +19,7 @@ pub struct SceneError {
 #[derive(Debug, thiserror::Error)]
 pub enum SceneProblem {
     /// The file system says no.
-    #[error("cannot be read ({0}): check the path")]
+    #[error("{}: check the path", unread(.0))]
     Io(#[from] io::Error),
     /// Not TOML, or not of a scene; the message tells line and key.
     #[error("{0}")]
@@ -48,6 +48,14 @@ pub enum SceneProblem {
     /// An environment that cannot be read.
     #[error(transparent)]
     Environment(#[from] EnvironmentError),
+}
+
+/// What there was to read.
+fn unread(error: &io::Error) -> String {
+    match error.kind() {
+        io::ErrorKind::NotFound => "expected a file, found no such file".to_owned(),
+        _ => format!("cannot be read ({error})"),
+    }
 }
 
 impl SceneProblem {

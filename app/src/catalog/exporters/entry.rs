@@ -3,11 +3,12 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use anyhow::{Context, Result, anyhow};
-use nbrdf_core::{Brdf, atomic};
+use anyhow::Result;
+use nbrdf_core::Brdf;
 
 use super::{EXPORTERS, Subject};
 use crate::catalog::Catalog;
+use crate::failure::Failure;
 
 /// What a form needs of a material.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -89,9 +90,8 @@ impl ExporterEntry {
     /// # Errors
     /// That the material lacks what the form needs.
     pub fn files(&self, stem: &Path, subject: &Subject<'_>) -> Result<Vec<(PathBuf, Vec<u8>)>> {
-        let lacks = || self.lacks(subject);
         let name = stem.file_name().unwrap_or_default().to_string_lossy();
-        let bytes = (self.write)(subject, &name)?.with_context(lacks)?;
+        let bytes = (self.write)(subject, &name)?.ok_or_else(|| self.lacks(subject))?;
         Ok(self.paths(stem).into_iter().zip(bytes).collect())
     }
 
@@ -106,16 +106,17 @@ impl ExporterEntry {
             Needs::Network => subject.network().is_some() || subject.turning().is_some(),
             Needs::Code => subject.code.is_some(),
         };
-        if has { Ok(()) } else { Err(anyhow!(self.lacks(subject))) }
+        if has { Ok(()) } else { Err(self.lacks(subject).into()) }
     }
 
-    fn lacks(&self, subject: &Subject<'_>) -> String {
+    /// The user's choice of form is what does not fit, not a file.
+    fn lacks(&self, subject: &Subject<'_>) -> Failure {
         let (name, form) = (&subject.material.name, self.name);
-        match self.needs {
+        Failure::Usage(match self.needs {
             Needs::Reflectance => format!("{name} changes when it is turned, which {form} cannot say"),
             Needs::Network => format!("{name} is no network, as {form} needs one: choose another form"),
             Needs::Code => format!("{name} has no code: `nbrdf encode` makes one of a material"),
-        }
+        })
     }
 
     /// What such files stand for, as whoever reads them would find it.
@@ -124,19 +125,6 @@ impl ExporterEntry {
     /// If they are no files of this form.
     pub fn read_back(&self, files: &[&[u8]], catalog: &Catalog) -> Result<Arc<dyn Brdf>> {
         (self.read)(files, catalog)
-    }
-
-    /// Writes the files, whole or not at all.
-    ///
-    /// # Errors
-    /// As [`files`](Self::files), and what the file system reports.
-    pub fn write(&self, path: &Path, subject: &Subject<'_>) -> Result<()> {
-        let files = self.files(&path.with_extension(""), subject)?;
-        let written = match files.as_slice() {
-            [(path, bytes)] => atomic::write(path, bytes),
-            set => atomic::write_together(set),
-        };
-        written.with_context(|| format!("{}: cannot be written", path.display()))
     }
 }
 

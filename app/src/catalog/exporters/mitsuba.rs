@@ -16,7 +16,7 @@ const TOLERANCE: f64 = 0.01;
 pub(super) const BSDF: ExporterEntry = ExporterEntry {
     name: "bsdf",
     extension: "bsdf",
-    about: "a table for Mitsuba 3's plugin `measured` as in the RGL database, within 1 %, 1 to 57 MB, and a scene .xml",
+    about: "a table for Mitsuba 3's plugin `measured` as in the RGL database, within 1 %, 0.9 to 57 MB, and a scene .xml",
     needs: Needs::Reflectance,
     convention: "f_r [1/sr] times the cosine of the light, linear RGB, at warped half vectors; jacobian 0",
     tolerance: Some(TOLERANCE),

@@ -12,7 +12,7 @@ use super::{ExporterEntry, Needs};
 pub(super) const BINARY: ExporterEntry = ExporterEntry {
     name: "binary",
     extension: "binary",
-    about: "a table of 90 × 90 × 180 cells as in the MERL database, 33 MB",
+    about: "a table of 90 × 90 × 180 cells as in the MERL database, 35 MB",
     needs: Needs::Reflectance,
     convention: "f_r [1/sr] times 1500 / (1, 1.15, 1.66) in red, green, blue, without the cosine; -1 below the horizon",
     tolerance: None,

@@ -1,48 +1,14 @@
 //! Where on a path the spheres are.
 
 use anyhow::Result;
-use nbrdf_core::{Warning, Weights};
+use nbrdf_core::Weights;
 
+pub use super::sample::Sample;
+use super::sample::{exact, joined, number};
 use crate::failure::Failure;
 
 /// Points between two ends unless told otherwise.
 const STEPS: u16 = 7;
-
-/// A point of a path, and its label.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Sample {
-    /// Barycentric weights.
-    pub weights: Weights,
-    /// `0.25` between two ends; weights in order between more.
-    pub label: String,
-    /// That it lies beyond the ends; points of a curve through them do not, small negative weights or not.
-    pub warning: Option<Warning>,
-}
-
-impl Sample {
-    fn new(weights: Vec<f32>) -> Result<Self> {
-        let weights = Weights::normalized(weights)?;
-        let label = match weights.as_slice() {
-            [_, t] => number(*t),
-            more => more.iter().map(|w| number(*w)).collect::<Vec<_>>().join(" : "),
-        };
-        let beyond = weights.beyond();
-        let warning = (beyond > f32::EPSILON).then_some(Warning::Extrapolated { beyond });
-        Ok(Self { weights, label, warning })
-    }
-
-    /// What stands above its column.
-    pub fn heading(&self) -> String {
-        if self.weights.as_slice().len() == 2 { format!("t = {}", self.label) } else { self.label.clone() }
-    }
-}
-
-/// Two decimals, no idle zeros.
-fn number(value: f32) -> String {
-    let text = format!("{value:.2}");
-    let text = text.trim_end_matches('0').trim_end_matches('.');
-    if text == "-0" { "0".into() } else { text.into() }
-}
 
 /// The points asked for: `at`, else `steps` even ones between two ends, else corners, edges and the centre.
 pub fn samples(ends: usize, at: &[String], steps: Option<u16>) -> Result<Vec<Sample>> {
@@ -50,9 +16,9 @@ pub fn samples(ends: usize, at: &[String], steps: Option<u16>) -> Result<Vec<Sam
         ([], Some(steps)) if ends > 2 => return Ok(spline(ends, steps)),
         ([], steps) if ends == 2 => even(steps.unwrap_or(STEPS)),
         ([], _) => corners_edges_centre(ends),
-        (at, _) => given(ends, at)?,
+        (at, _) => return given(ends, at),
     };
-    points.into_iter().map(Sample::new).collect()
+    points.into_iter().map(Sample::spread).collect()
 }
 
 /// Even steps on the smooth curve through all key materials.
@@ -78,14 +44,15 @@ fn corners_edges_centre(ends: usize) -> Vec<Vec<f32>> {
 }
 
 /// `0.25` is a place between two ends; `1,1,2`, or one number per end, are weights.
-fn given(ends: usize, at: &[String]) -> Result<Vec<Vec<f32>>> {
+fn given(ends: usize, at: &[String]) -> Result<Vec<Sample>> {
+    let asked = |weights: &[f32]| Sample::new(weights.to_vec(), joined(weights, exact));
     let (mut points, mut loose) = (Vec::new(), Vec::new());
     for text in at {
         let numbers = text.split(',').map(finite).collect::<Result<Vec<f32>>>()?;
         match numbers.as_slice() {
-            [t] if ends == 2 => points.push(vec![1.0 - t, *t]),
+            [t] if ends == 2 => points.push(Sample::new(vec![1.0 - t, *t], exact(*t))?),
             [weight] => loose.push(*weight),
-            weights if weights.len() == ends => points.push(numbers),
+            weights if weights.len() == ends => points.push(asked(weights)?),
             weights => {
                 let found = format!("--at {text}: expected {ends} weights, one per material, found {}", weights.len());
                 return Err(Failure::Usage(found).into());
@@ -96,7 +63,9 @@ fn given(ends: usize, at: &[String]) -> Result<Vec<Vec<f32>>> {
         let found = format!("--at: expected {ends} weights, one per material, found {}", loose.len());
         return Err(Failure::Usage(found).into());
     }
-    points.extend(loose.chunks(ends).map(<[f32]>::to_vec));
+    for weights in loose.chunks(ends) {
+        points.push(asked(weights)?);
+    }
     Ok(points)
 }
 
@@ -118,7 +87,15 @@ mod tests {
     fn two_ends_are_seven_steps_apart_unless_told_otherwise() {
         assert_eq!(labels(2, &[], None), ["0", "0.17", "0.33", "0.5", "0.67", "0.83", "1"]);
         assert_eq!(labels(2, &[], Some(3)), ["0", "0.5", "1"]);
-        assert_eq!(labels(2, &["-0.5", "0.25", "3,1"], None), ["-0.5", "0.25", "0.25"]);
+        assert_eq!(labels(2, &["-0.5", "0.25", "-0"], None), ["-0.5", "0.25", "0"]);
+    }
+
+    #[test]
+    fn a_place_is_called_what_it_was_asked_for_as() {
+        assert_eq!(labels(2, &["0.125", "3,1"], None), ["0.125", "3 : 1"]);
+        assert_eq!(labels(3, &["1,1,2", "0.0625,0,0.9375"], None), ["1 : 1 : 2", "0.0625 : 0 : 0.9375"]);
+        let heading = |at: &str| samples(2, &[at.to_owned()], None).unwrap()[0].heading();
+        assert_eq!([heading("0.125"), heading("3,1")], ["t = 0.125", "3 : 1"]);
     }
 
     #[test]

@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 use anyhow::Result;
 
 use crate::catalog::{EXPORTERS, ExporterEntry};
+use crate::exported::FileSet;
 use crate::failure::Failure;
 use crate::output;
 
@@ -25,28 +26,14 @@ enum Place {
 impl Destination {
     /// What `--to` and `-o` mean for so many materials.
     pub fn new(to: Option<&str>, output: Option<&Path>, materials: usize) -> Result<Self> {
-        let by_extension = output.and_then(ExporterEntry::of);
-        let form = match (to, by_extension) {
-            (Some(name), _) => ExporterEntry::named(name).ok_or_else(|| unknown(name))?,
-            (None, Some(form)) => form,
-            (None, None) => {
-                return Err(Failure::Usage(format!("expected a form: --to {}", names())).into());
-            }
+        let names = || EXPORTERS.iter().map(|entry| entry.name).collect::<Vec<_>>().join("|");
+        let form = match to {
+            Some(name) => ExporterEntry::named(name),
+            None => output.and_then(ExporterEntry::of),
         };
-        let Some(output) = output else { return Ok(Self { form, place: Place::Folder(PathBuf::new()) }) };
-        let means_a_folder = materials > 1 || output.is_dir() || output.to_string_lossy().ends_with('/');
-        if means_a_folder {
-            return Ok(Self { form, place: Place::Folder(output.to_owned()) });
-        }
-        let stem = match by_extension {
-            Some(other) if other.name != form.name => {
-                let (path, name, extension) = (output.display(), form.name, form.extension);
-                return Err(Failure::Usage(format!("{path}: expected the extension .{extension} of {name}")).into());
-            }
-            Some(_) => output.with_extension(""),
-            None => output.to_owned(),
-        };
-        Ok(Self { form, place: Place::Stem(stem) })
+        let form = form.ok_or_else(|| Failure::Usage(format!("expected a form: --to {}", names())))?;
+        let place = output.map_or(Ok(Place::Folder(PathBuf::new())), |output| Place::new(output, form, materials))?;
+        Ok(Self { form, place })
     }
 
     /// Makes the folder of several materials.
@@ -57,46 +44,51 @@ impl Destination {
         }
     }
 
-    /// The stem of each material's files; names that a folder cannot hold twice are refused.
-    pub fn stems<'a>(&self, names: impl Iterator<Item = &'a str>) -> Result<Vec<PathBuf>> {
+    /// Each material's files; names that a folder cannot hold twice are refused.
+    pub fn sets<'a>(&self, names: impl Iterator<Item = &'a str>) -> Result<Vec<FileSet>> {
+        let set = |stem: PathBuf| FileSet { form: self.form, stem };
         let folder = match &self.place {
-            Place::Stem(stem) => return Ok(vec![stem.clone()]),
+            Place::Stem(stem) => return Ok(vec![set(stem.clone())]),
             Place::Folder(folder) => folder,
         };
-        let mut stems: Vec<PathBuf> = Vec::new();
+        let mut sets: Vec<FileSet> = Vec::new();
         for name in names {
             let stem = folder.join(name.replace(['/', '\\'], "_"));
-            if stems.contains(&stem) {
+            if sets.iter().any(|known| known.stem == stem) {
                 let stem = stem.display();
                 return Err(
                     Failure::Usage(format!("{stem}: two materials would have this name: export one by one")).into()
                 );
             }
-            stems.push(stem);
+            sets.push(set(stem));
         }
-        Ok(stems)
-    }
-
-    /// All files of a stem, the manifest first.
-    pub fn files(&self, stem: &Path) -> Vec<PathBuf> {
-        std::iter::once(self.manifest(stem)).chain(self.form.paths(stem)).collect()
-    }
-
-    /// The manifest of a stem: other forms of the same stem keep theirs.
-    pub fn manifest(&self, stem: &Path) -> PathBuf {
-        let mut name = stem.as_os_str().to_owned();
-        name.push(format!(".{}.manifest.json", self.form.extension));
-        name.into()
+        Ok(sets)
     }
 }
 
-fn names() -> String {
-    let names: Vec<&str> = EXPORTERS.iter().map(|entry| entry.name).collect();
-    names.join("|")
-}
-
-fn unknown(name: &str) -> Failure {
-    Failure::Usage(format!("--to: expected one of {}, found `{name}`: `nbrdf export --list` tells of them", names()))
+impl Place {
+    /// What a path means; the extension of another form, or of one file for several materials, is a slip.
+    fn new(output: &Path, form: &ExporterEntry, materials: usize) -> Result<Self> {
+        let path = output.display();
+        let is_folder = output.is_dir() || output.to_string_lossy().ends_with('/');
+        match output.extension() {
+            _ if is_folder => Ok(Self::Folder(output.to_owned())),
+            None if materials > 1 => Ok(Self::Folder(output.to_owned())),
+            Some(_) if materials > 1 => {
+                let folder = output.with_extension("");
+                let said = format!("{path}: expected a folder for {materials} materials, found the name of one file");
+                let (name, folder) = (form.name, folder.display());
+                Err(Failure::Usage(format!("{said}: name a folder, as in --to {name} -o {folder}/")).into())
+            }
+            Some(extension) if extension == form.extension => Ok(Self::Stem(output.with_extension(""))),
+            None => Ok(Self::Stem(output.to_owned())),
+            Some(extension) => {
+                let (name, own, found) = (form.name, form.extension, extension.display());
+                let said = format!("{path}: expected the extension .{own} of {name} or none, found .{found}");
+                Err(Failure::Usage(format!("{said}: a name with a dot needs .{own} at its end")).into())
+            }
+        }
+    }
 }
 
 #[cfg(test)]
@@ -106,20 +98,35 @@ mod tests {
     #[test]
     fn the_extension_says_the_form_and_may_be_left_out_where_it_is_said() {
         let of = |to, output: &str| Destination::new(to, Some(Path::new(output)), 1);
-        let stem = |to, output: &str| of(to, output).unwrap().stems(["x"].into_iter()).unwrap().remove(0);
+        let stem = |to, output: &str| of(to, output).unwrap().sets(["x"].into_iter()).unwrap().remove(0).stem;
         assert_eq!(stem(None, "a.npz"), Path::new("a"));
-        assert_eq!(stem(Some("npz"), "v1.chrome"), Path::new("v1.chrome"));
-        assert!(of(Some("npz"), "a.bsdf").is_err() && of(None, "a").is_err() && of(Some("gif"), "a").is_err());
-        let files = of(None, "a.bsdf").unwrap().files(Path::new("a"));
-        assert_eq!(files, ["a.bsdf.manifest.json", "a.bsdf", "a.xml"].map(PathBuf::from));
+        assert_eq!(stem(Some("npz"), "v1.chrome.npz"), Path::new("v1.chrome"));
+        assert_eq!(stem(Some("principled"), "a.py"), Path::new("a"));
+        for (to, output) in [
+            (Some("npz"), "a.bsdf"),
+            (Some("gltf"), "a.glb"),
+            (None, "a"),
+            (Some("gif"), "a"),
+            (Some("npz"), "v1.chrome"),
+        ] {
+            assert!(of(to, output).is_err(), "{output}");
+        }
     }
 
     #[test]
     fn materials_in_a_folder_have_names_of_their_own() {
         let folder = tempfile::tempdir().unwrap();
         let to = Destination::new(Some("npz"), Some(folder.path()), 2).unwrap();
-        let stems = to.stems(["rgl/paper", "chrome"].into_iter()).unwrap();
+        let sets = to.sets(["rgl/paper", "chrome"].into_iter()).unwrap();
+        let stems: Vec<_> = sets.into_iter().map(|set| set.stem).collect();
         assert_eq!(stems, ["rgl_paper", "chrome"].map(|name| folder.path().join(name)));
-        assert!(to.stems(["rgl/paper", "rgl_paper"].into_iter()).is_err());
+        assert!(to.sets(["rgl/paper", "rgl_paper"].into_iter()).is_err());
+    }
+
+    #[test]
+    fn several_materials_go_into_no_file() {
+        let of = |output: &str| Destination::new(Some("npz"), Some(Path::new(output)), 2);
+        assert!(of("two").is_ok() && of("two.npz/").is_ok());
+        assert!(of("two.npz").is_err() && of("two.glb").is_err());
     }
 }

@@ -11,6 +11,7 @@ use serde_json::{Value, json};
 
 use crate::command::Global;
 use crate::failure::Failure;
+use crate::input;
 use crate::material::{Item, Shelf};
 use crate::progress;
 
@@ -106,6 +107,7 @@ fn open(name: &str) -> Result<Environment> {
         let said = format!("no environment `{name}`: expected `{known}`, or a map (.hdr or .exr)");
         return Err(Failure::Usage(said).into());
     }
+    input::check_file(path, "a map of light (.hdr or .exr)")?;
     Ok(Environment::load(path)?)
 }
 

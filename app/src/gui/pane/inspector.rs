@@ -61,7 +61,7 @@ fn light(ui: &mut Ui, session: &mut Session, maps: &[Listed]) {
         Lighting::Around { map, .. } => Listed::title(maps, map),
     };
     let mut choices = vec![
-        ("Studio", "Eleven lamps, as in reports", Lighting::Studio),
+        ("Studio", "Eleven lamps: three keys and a ring of fills", Lighting::Studio),
         ("Point", "One lamp; drag on a picture", LAMP),
     ];
     let about = "All around, sample after sample; drag on a picture to turn it. Drop .hdr and .exr maps on the window";

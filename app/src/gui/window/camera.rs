@@ -6,6 +6,7 @@ use std::sync::{Arc, mpsc};
 use egui::{ColorImage, Ui, ViewportCommand};
 use nbrdf_core::{Image, Rgb, image::DISPLAY_GAMMA};
 
+use super::failures::Failures;
 use crate::gui::Workbench;
 
 /// Frames to wait once everything is there, so that nothing is caught fading in.
@@ -17,6 +18,7 @@ pub struct Camera {
     next: Option<Shot>,
     film: Option<mpsc::Receiver<Arc<ColorImage>>>,
     settled: u32,
+    failures: Failures,
 }
 
 /// A picture to take: its file, and where on the path, if that is to change.
@@ -27,21 +29,21 @@ struct Shot {
 
 impl Camera {
     /// One picture of the window as it is.
-    pub fn still(file: PathBuf) -> Self {
-        Self::of(vec![Shot { file, t: None }])
+    pub fn still(file: PathBuf, failures: Failures) -> Self {
+        Self::of(vec![Shot { file, t: None }], failures)
     }
 
     /// So many pictures of a walk from the first material to the last and back, as 000.png, 001.png, ... in a folder.
-    pub fn film(folder: &Path, count: u16) -> Self {
+    pub fn film(folder: &Path, count: u16, failures: Failures) -> Self {
         let shot = |step: u16| {
             let turn = std::f32::consts::TAU * f32::from(step) / f32::from(count);
             Shot { file: folder.join(format!("{step:03}.png")), t: Some(0.5 - 0.5 * turn.cos()) }
         };
-        Self::of((0..count).map(shot).collect())
+        Self::of((0..count).map(shot).collect(), failures)
     }
 
-    fn of(shots: Vec<Shot>) -> Self {
-        Self { shots: shots.into_iter(), next: None, film: None, settled: 0 }
+    fn of(shots: Vec<Shot>, failures: Failures) -> Self {
+        Self { shots: shots.into_iter(), next: None, film: None, settled: 0, failures }
     }
 
     /// After each frame.
@@ -52,7 +54,7 @@ impl Camera {
             if let Some(shot) = &self.next
                 && let Err(error) = linear(&image).write_png(&shot.file)
             {
-                eprintln!("error: {error}");
+                self.failures.add(error.to_string());
             }
             (self.film, self.next, self.settled) = (None, None, 0);
         }

@@ -7,6 +7,7 @@ use egui::{Context, ViewportCommand};
 use nbrdf_core::atomic;
 use serde_json::{Value, json};
 
+use super::failures::Failures;
 use crate::gui::{Workbench, scrubber};
 
 /// Seconds from end to end and back while driving.
@@ -85,7 +86,7 @@ impl Stopwatch {
     }
 
     /// Writes the report.
-    pub fn finish(&self, workbench: &Workbench) {
+    pub fn finish(&self, workbench: &Workbench, failures: &Failures) {
         let seconds = self.settled.map_or(0.0, |settled| settled.elapsed().as_secs_f64());
         let pictures = workbench.gallery.pictures() - self.pictures;
         let shown = workbench.session.cards().len().saturating_sub(workbench.session.blend.ends.len()).max(1);
@@ -103,7 +104,7 @@ impl Stopwatch {
         });
         let text = format!("{report:#}\n");
         if let Err(error) = atomic::write(&self.file, text.as_bytes()) {
-            eprintln!("error: {}: {error}", self.file.display());
+            failures.add(format!("{}: cannot be written: {error}", self.file.display()));
         }
     }
 }

@@ -4,15 +4,16 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use anyhow::{Result, bail};
+use nbrdf_core::Material;
 use nbrdf_core::plan::{By, Options, Rung};
 use nbrdf_core::sampler::lobe::Lobe;
 use nbrdf_core::scene::{Gathering, Object, Scene, View};
-use nbrdf_core::{Library, Material};
 use rayon::prelude::*;
 
 use crate::catalog::{Catalog, NBRDF, Reference, ladder};
 use crate::failure::Failure;
-use crate::material::Shelf;
+use crate::input;
+use crate::material::{STDIN, Shelf};
 
 /// Bytes of a table over the cells of MERL, as it is evaluated.
 const TABLE: usize = 4 * 3 * 90 * 90 * 180;
@@ -45,8 +46,11 @@ impl Opened {
     /// # Errors
     /// What is wrong with the scene, a material it names, the library or a checkpoint.
     pub fn load(path: &Path, library: Option<&Path>, checkpoints: &[PathBuf], catalog: &Arc<Catalog>) -> Result<Self> {
+        if path.as_os_str() != STDIN {
+            input::check_file(path, "a scene (.toml)")?;
+        }
         let scene = Scene::load(path)?;
-        let shelf = Shelf::new(library.map(Library::load).transpose()?, Arc::clone(catalog));
+        let shelf = Shelf::new(library.map(input::library).transpose()?, Arc::clone(catalog));
         let plain = || Catalog::new(Arc::new(Reference::built_in()));
         let other = |path: &PathBuf| Ok((path.clone(), plain().with_checkpoint(path)?));
         let others = checkpoints.iter().map(other).collect::<Result<Vec<_>>>()?;

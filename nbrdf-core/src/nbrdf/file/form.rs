@@ -16,6 +16,9 @@ pub enum Form {
 }
 
 impl Form {
+    /// Extensions of files that may hold a network, or one of six arrays of it.
+    pub const EXTENSIONS: [&str; 5] = ["h5", "hdf5", "npz", "safetensors", "npy"];
+
     /// Form and stem of a file name without folders; none for what is not a network (`.json`, hidden files, ...).
     pub fn of(file_name: &str) -> Option<(Self, &str)> {
         // Archives made on macOS carry a hidden `._chrome.h5` beside `chrome.h5`.
@@ -45,6 +48,12 @@ mod tests {
         assert_eq!(Form::of("paper_white_rgb.NPZ"), Some((Form::Npz, "paper_white_rgb")));
         assert_eq!(Form::of("paper_white_rgb_b2.npy"), Some((Form::Npy(3), "paper_white_rgb")));
         assert_eq!(Form::of("my.paint.v2.safetensors"), Some((Form::Safetensors, "my.paint.v2")));
+    }
+
+    #[test]
+    fn every_extension_that_is_listed_is_read() {
+        let of = |extension: &str| Form::of(&format!("a_b1.{extension}")).is_some();
+        assert!(Form::EXTENSIONS.into_iter().all(of));
     }
 
     #[test]

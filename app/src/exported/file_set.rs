@@ -1,0 +1,99 @@
+//! The files of one material in one form, its manifest among them.
+
+use std::path::{Path, PathBuf};
+
+use anyhow::{Context, Result};
+use nbrdf_core::atomic;
+use serde_json::Value;
+
+use super::manifest;
+use crate::catalog::exporters::Subject;
+use crate::catalog::{Catalog, ExporterEntry};
+use crate::output;
+
+/// Names of the files of one material in one form, its manifest among them.
+pub struct FileSet {
+    /// The form.
+    pub form: &'static ExporterEntry,
+    /// What all names begin with.
+    pub stem: PathBuf,
+}
+
+/// What the files are to hold.
+pub struct Made {
+    /// What is told of them.
+    pub manifest: Value,
+    files: Vec<(PathBuf, Vec<u8>)>,
+}
+
+impl FileSet {
+    /// The path that means all of them on a command line.
+    pub fn named(&self) -> PathBuf {
+        self.beside(self.form.extension)
+    }
+
+    /// The manifest's file: other forms of the same stem keep theirs.
+    pub fn manifest(&self) -> PathBuf {
+        self.beside(&format!("{}.manifest.json", self.form.extension))
+    }
+
+    /// All files, the manifest first.
+    pub fn paths(&self) -> Vec<PathBuf> {
+        std::iter::once(self.manifest()).chain(self.form.paths(&self.stem)).collect()
+    }
+
+    /// Refuses to write over what is read or over a code that nobody named, and where nothing can be written.
+    ///
+    /// # Errors
+    /// Which file.
+    pub fn check(&self, inputs: &[String]) -> Result<()> {
+        self.paths().iter().try_for_each(|path| self.check_path(path, inputs))
+    }
+
+    fn check_path(&self, path: &Path, inputs: &[String]) -> Result<()> {
+        output::check_no_input(path, inputs)?;
+        if path.extension().is_none_or(|extension| extension != self.form.extension) {
+            output::check_no_code(path)?;
+        }
+        output::check_writable(path)
+    }
+
+    /// What the files are to hold, and how far that is from the material.
+    ///
+    /// # Errors
+    /// That the material lacks what the form needs, or that what was made cannot be read again.
+    pub fn make(&self, subject: &Subject<'_>, catalog: &Catalog, command: &str) -> Result<Made> {
+        let files = self.form.files(&self.stem, subject)?;
+        Ok(Made { manifest: manifest(self.form, subject, &files, catalog, command)?, files })
+    }
+
+    /// Writes all of them, or none.
+    ///
+    /// # Errors
+    /// What the file system reports.
+    pub fn write(&self, made: Made) -> Result<()> {
+        let text = format!("{:#}\n", made.manifest).into_bytes();
+        let all: Vec<_> = std::iter::once((self.manifest(), text)).chain(made.files).collect();
+        atomic::write_together(&all).with_context(|| format!("{}: cannot be written", self.named().display()))
+    }
+
+    fn beside(&self, end: &str) -> PathBuf {
+        let mut name = self.stem.as_os_str().to_owned();
+        name.push(format!(".{end}"));
+        name.into()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_manifest_comes_first_and_keeps_off_other_forms() {
+        let set = |form: &str| FileSet { form: ExporterEntry::named(form).unwrap(), stem: "a/v1.b".into() };
+        let names = ["a/v1.b.bsdf.manifest.json", "a/v1.b.bsdf", "a/v1.b.xml"];
+        assert_eq!(set("bsdf").paths(), names.map(PathBuf::from));
+        assert_eq!(set("npy").named(), Path::new("a/v1.b.npy"));
+        assert_ne!(set("npy").manifest(), set("npz").manifest());
+    }
+}
