@@ -112,9 +112,9 @@ a MERL `.binary` are fixed, and too wide for mirrors.
 
 {forms(exports)}
 
-Of source code (`glsl`, `hlsl`, `wgsl`, `c`, `rs`, `html`) these are its numbers. The code is compiled and run by the tests, over more than
-2000 pairs of directions of nine networks (tests/shader.rs): each value is within 1e-4 of the library's, relative to it or to a hundredth of a white Lambertian. C is
-compiled as C99 and as C++11; WGSL, GLSL and HLSL run in a Vulkan driver in software, three or four networks or, of GLSL, one.
+Of source code (`glsl`, `hlsl`, `wgsl`, `c`, `rs`, `html`) these are its numbers. The code is compiled and run by the tests (tests/shader.rs), over
+directions of the metrics and at the edges of the coordinates: each value must be within 1e-4 of the library's, relative to it or to a hundredth
+of a white Lambertian. C is compiled as C99 and as C++11, HLSL by glslang; WGSL, GLSL and HLSL run in a Vulkan driver in software.
 
 ## As parameters of standard models: {FITS[closest]} is closest, {number(closest_row["studio_psnr"]["mean"], 0)} dB in the mean, {number(closest_row["studio_psnr"]["max"], 0)} dB at worst
 

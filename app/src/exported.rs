@@ -53,11 +53,13 @@ pub fn error(
 
 /// What is to be said where the files are further from their source than the form promises; `error` as told by [`error()`].
 pub fn warning(form: &ExporterEntry, error: &Value) -> Option<String> {
-    let (found, promised) = (error["image_pixel_error"].as_f64()?, form.tolerance?);
+    let promised = form.tolerance?;
+    // Infinity is null in JSON.
+    let found = error["image_pixel_error"].as_f64().unwrap_or(f64::INFINITY);
     let [found_percent, percent] = [found, promised].map(|share| 100.0 * share);
     let told = format!(
         "even the finest {} puts {found_percent:.1} % of a sphere's light in another place, where {percent} % are wanted: its highlights \
-         are narrower than the table's cells; a network or source code keeps them",
+         may be narrower than the table's cells; a network or source code keeps them",
         form.name
     );
     (found > promised).then_some(told)

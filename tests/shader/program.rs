@@ -34,6 +34,8 @@ impl Compiler {
         let done = Command::new(&program).args(words).current_dir(folder.path()).output();
         match done {
             Err(error) if error.kind() == ErrorKind::NotFound => {
+                let required = format!("NBRDF_REQUIRE_{}", self.variable);
+                assert!(std::env::var_os(&required).is_none_or(|v| v != "1"), "no {}: {required} is set", self.program);
                 let skipped = format!("*** TEST SKIPPED: no {}: set {} to one ***", self.program, self.variable);
                 // Straight to the stream: the test harness swallows `eprintln!` of tests that pass.
                 let _ = writeln!(std::io::stderr(), "{skipped}");

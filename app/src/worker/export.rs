@@ -19,6 +19,8 @@ use anyhow::{Result, bail};
 use nbrdf_core::atomic;
 
 use super::{Answer, Office, Request, guarded};
+use crate::catalog::ExporterEntry;
+use crate::exported;
 use made::Made;
 
 pub use goods::{Goods, PictureForm};
@@ -53,8 +55,13 @@ pub enum News {
     },
     /// How much is done, 0..1.
     Progress(f32),
-    /// Files that were written, the manifest first.
-    Written(Vec<PathBuf>),
+    /// Files that were written.
+    Written {
+        /// The manifest first.
+        files: Vec<PathBuf>,
+        /// What is to be known of them.
+        warning: Option<String>,
+    },
     /// Nothing was written, for this reason.
     Failed(String),
     /// The code that was asked for.
@@ -80,7 +87,7 @@ pub(super) fn run(office: Office, stop: Arc<AtomicBool>, orders: &mpsc::Receiver
                 News::Present { asked, there }
             }
             Order::Write(job) => match done("Writing", || exporter.write(&job)) {
-                Ok(files) => News::Written(files),
+                Ok((files, warning)) => News::Written { files, warning },
                 Err(why) => News::Failed(format!("Nothing was written: {why}")),
             },
             Order::Code(request) => match done("The code", || exporter.code(&request)) {
@@ -98,8 +105,8 @@ fn done<T>(what: &str, job: impl FnOnce() -> Result<T>) -> Result<T, String> {
 }
 
 impl Exporter {
-    /// Writes everything or nothing; the files, the manifest first.
-    fn write(&self, job: &Job) -> Result<Vec<PathBuf>> {
+    /// Writes everything or nothing; the files, the manifest first, and what is to be known of them.
+    fn write(&self, job: &Job) -> Result<(Vec<PathBuf>, Option<String>)> {
         let paths = job.paths();
         // Before the work, not after it; the last time right before they are written.
         paths.iter().try_for_each(|path| atomic::check(path))?;
@@ -110,12 +117,14 @@ impl Exporter {
             bail!("all files together have more than {} MiB: choose fewer steps", MOST_BYTES >> 20);
         }
         let manifest = manifest::of(&self.office, job, &made)?;
+        let form = ExporterEntry::named(job.goods.form());
+        let warning = form.and_then(|form| made.errors.iter().find_map(|error| exported::warning(form, error)));
         let files: Vec<_> = std::iter::once((job.manifest(), manifest)).chain(made.files).collect();
         refuse_to_replace(job, &paths)?;
         // From here on there is no way back.
         self.go_on()?;
         atomic::write_together(&files)?;
-        Ok(files.into_iter().map(|(path, _)| path).collect())
+        Ok((files.into_iter().map(|(path, _)| path).collect(), warning))
     }
 
     fn make(&self, job: &Job) -> Result<Made> {

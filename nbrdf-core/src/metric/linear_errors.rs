@@ -17,7 +17,7 @@ pub struct LinearErrors {
 
 impl LinearErrors {
     /// Over covered pixels. A channel that has less than a hundredth of the light of the brightest is judged by a hundredth
-    /// of that one.
+    /// of that one. Pictures that hold NaN are infinitely far.
     ///
     /// # Panics
     /// If the pictures or the mask differ in size (a bug of the caller).
@@ -35,7 +35,10 @@ impl LinearErrors {
             }
         }
         let least = (DARK * sums.iter().map(|[light, ..]| *light).fold(0.0, f64::max)).max(f64::MIN_POSITIVE);
-        let worst = |which: usize| sums.iter().map(|sum| sum[which].abs() / sum[0].max(least)).fold(0.0, f64::max);
+        // A maximum passes over NaN.
+        let told = |error: f64| if error.is_nan() { f64::INFINITY } else { error };
+        let worst =
+            |which: usize| sums.iter().map(|sum| told(sum[which].abs() / sum[0].max(least))).fold(0.0, f64::max);
         Self { of_mean: worst(1), of_pixels: worst(2) }
     }
 
@@ -58,6 +61,8 @@ mod tests {
         assert_eq!((moved.of_mean, moved.of_pixels), (0.0, 1.0));
         let added = LinearErrors::of(&picture(1.0, 3.0), &picture(1.0, 4.0), &covered);
         assert_eq!((added.of_mean, added.of_pixels), (0.25, 0.25));
+        let spoilt = LinearErrors::of(&picture(1.0, 3.0), &picture(1.0, f32::NAN), &covered);
+        assert_eq!((spoilt.of_mean, spoilt.of_pixels), (f64::INFINITY, f64::INFINITY));
         assert_eq!(LinearErrors::of(&picture(1.0, 3.0), &picture(1.0, 4.0), &[true, false]), LinearErrors::default());
     }
 

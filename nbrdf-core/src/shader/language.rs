@@ -7,7 +7,7 @@ use crate::brdf::Azimuth;
 pub enum Language {
     /// GLSL ES 3.00 and newer, GLSL 3.30 and newer: `vec3 f_r(vec3 light, vec3 view)`.
     Glsl,
-    /// HLSL, shader model 4 and newer: `float3 f_r(float3 light, float3 view)`.
+    /// HLSL, as glslang reads it (shader model 5): `float3 f_r(float3 light, float3 view)`.
     Hlsl,
     /// WGSL: `fn f_r(light: vec3<f32>, view: vec3<f32>) -> vec3<f32>`.
     Wgsl,
@@ -36,7 +36,7 @@ impl Language {
     pub(super) const fn about(self) -> &'static str {
         match self {
             Self::Glsl => "GLSL ES 3.00 or GLSL 3.30 and newer; in ES, `precision highp float;` comes before it.",
-            Self::Hlsl => "HLSL of shader model 4 and newer.",
+            Self::Hlsl => "HLSL of shader model 5, tested through glslang.",
             Self::Wgsl => "WGSL, as WebGPU reads it.",
             Self::C => "C99, also C++; `rgb` is the result.",
             Self::Rust => {

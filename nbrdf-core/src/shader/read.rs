@@ -13,7 +13,10 @@ use crate::nbrdf::INPUTS;
 /// # Errors
 /// If a list is missing, holds something that is no number, or does not fit the others.
 pub fn read(source: &str) -> Result<(Nbrdf, Azimuth), SourceError> {
-    let [w1, b1, w2, b2, w3, b3] = NAMES.map(|name| numbers(source, name));
+    // What a title or a comment says before is none of it: a material's name may be anything.
+    let (_, layers) =
+        source.rsplit_once(LAYERS).ok_or_else(|| SourceError::new(format!("the line `{LAYERS}`"), "none"))?;
+    let [w1, b1, w2, b2, w3, b3] = NAMES.map(|name| numbers(layers, name));
     let (w1, b1, w2, b2, w3, b3) = (w1?, b1?, w2?, b2?, w3?, b3?);
     let (first, second) = (b1.len(), b2.len());
     let inputs = match w1.len().checked_div(first) {
@@ -40,6 +43,8 @@ pub fn read(source: &str) -> Result<(Nbrdf, Azimuth), SourceError> {
     Ok((network.map_err(|error| SourceError::new("a network's weights", error))?, azimuth))
 }
 
+/// What stands above the lists in every language.
+const LAYERS: &str = "// The network's layers: for each unit a row of weights.";
 /// Names of the lists, in capitals where the language wants constants so.
 const NAMES: [&str; 6] = ["w1", "b1", "w2", "b2", "w3", "b3"];
 
@@ -88,9 +93,11 @@ mod tests {
 
     #[test]
     fn what_is_written_in_any_language_is_the_network_again() {
-        for name in ["chrome", "alum-bronze", "pink-felt"] {
+        for (name, called) in
+            [("chrome", "chrome"), ("alum-bronze", "w1=0.3; b1 = {0.5}"), ("pink-felt", "const w1 = (")]
+        {
             let network = &builtin::shared().get(name).unwrap().network;
-            let shader = Shader::new(name, network);
+            let shader = Shader::new(called, network);
             for text in Language::ALL.map(|language| shader.source(language)).into_iter().chain([shader.page()]) {
                 let (read, azimuth) = super::read(&text).unwrap();
                 assert_eq!(azimuth, Azimuth::Dropped);
@@ -113,7 +120,8 @@ mod tests {
     fn what_is_missing_or_too_short_is_told() {
         let source = Shader::new("a", &random_hidden(1, 0, [2, 3])).source(Language::C);
         let told = |text: &str| super::read(text).unwrap_err().to_string();
-        assert_eq!(told(""), "expected a list of numbers w1, found none");
+        assert_eq!(told(""), format!("expected the line `{LAYERS}`, found none"));
+        assert_eq!(told(LAYERS), "expected a list of numbers w1, found none");
         assert_eq!(told(&source.replace("b2[3]", "c2[3]")), "expected a list of numbers b2, found none");
         let (before, after) = source.split_once("b3[3] = {").unwrap();
         let (_, after) = after.split_once(',').unwrap();

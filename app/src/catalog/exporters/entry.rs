@@ -58,7 +58,7 @@ pub struct ExporterEntry {
     pub(super) ends: &'static [&'static str],
     /// Makes the files.
     pub(super) write: Write,
-    /// Reads them again, as whoever gets them would.
+    /// Reads them again, as whoever gets them would; of a program its numbers alone.
     pub(super) read: Read,
 }
 

@@ -27,9 +27,10 @@ impl Files {
                 self.progress = Some(share);
                 None
             }
-            News::Written(files) => {
+            News::Written { files, warning } => {
                 self.end();
-                Some(written(&files))
+                let told = written(&files);
+                Some(warning.map_or_else(|| told.clone(), |warning| format!("{told} But {warning}.")))
             }
             News::Failed(why) => {
                 self.end();
