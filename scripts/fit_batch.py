@@ -13,21 +13,21 @@ import argparse
 import hashlib
 import json
 import resource
-import shutil
+import shlex
 import sys
 import time
+from dataclasses import dataclass, field
 from pathlib import Path
 
 import jax
 import numpy as np
-from safetensors import safe_open
-from safetensors.numpy import load_file, save
 from tqdm import tqdm
 
-from nbrdf_jax import batch_fit, data, fitted_library, library, metrics, sample_sets, sources
+from nbrdf_jax import batch_fit, data, fitted_library, library, metrics, origins, sample_sets, sources
 from nbrdf_jax.batch_fit import Options
 from nbrdf_jax.evaluation import of_network
-from nbrdf_jax.fitted_library import Entry, Provenance, sha256, whole
+from nbrdf_jax.fit_parts import FitParts
+from nbrdf_jax.fitted_library import Entry, Provenance
 from nbrdf_jax.invalid import InvalidFile, exit_code
 from nbrdf_jax.places import Reflectance, walked
 from nbrdf_jax.sample_sets import SampleSets
@@ -50,8 +50,16 @@ def judged(reference: Reflectance, weights: np.ndarray) -> dict[str, float]:
     }
 
 
-def fitted(chunk: list[Source], start: np.ndarray, sets: SampleSets, options: Options, bar: tqdm, seconds: dict[str, float]) -> list[Entry]:
-    """One chunk; `seconds` are added to, by what they were spent on."""
+@dataclass
+class Spent:
+    """Seconds by what they were spent on, and of every block of steps the seconds for a step of a material."""
+
+    seconds: dict[str, float] = field(default_factory=lambda: dict.fromkeys(("targets", "compile", "fit", "judge"), 0.0))
+    steps: list[float] = field(default_factory=list)
+
+
+def fitted(chunk: list[Source], start: np.ndarray, sets: SampleSets, options: Options, bar: tqdm, spent: Spent) -> list[Entry]:
+    """One chunk; what was spent on it is added to `spent`."""
     begin = time.perf_counter()
     mesh = batch_fit.devices_mesh()
     # Every device takes as many: the last material stands in where there are too few.
@@ -67,79 +75,71 @@ def fitted(chunk: list[Source], start: np.ndarray, sets: SampleSets, options: Op
     def told(steps: int) -> None:
         nonlocal last, compiling
         now = time.perf_counter()
-        compiling, last = compiling + (now - last if steps == 0 else 0.0), now
+        if steps == 0:
+            compiling += now - last
+        else:
+            spent.steps.append((now - last) / steps / len(chunk))
+        last = now
         bar.update(steps * len(chunk))
 
     weights = batch_fit.fit(np.broadcast_to(start, (len(filled), len(start))), wanted, sets, options, mesh, told)[: len(chunk)].astype(np.float64)
     done = time.perf_counter()
     errors = list(each(lambda pair: judged(*pair), list(zip(reflectances, weights))))
-    seconds["targets"] += ready - begin
-    seconds["compile"] += compiling
-    seconds["fit"] += done - ready - compiling
-    seconds["judge"] += time.perf_counter() - done
+    for what, seconds in (("targets", ready - begin), ("compile", compiling), ("fit", done - ready - compiling), ("judge", time.perf_counter() - done)):
+        spent.seconds[what] += seconds
     return [Entry(source.name, source.file, own, error) for source, own, error in zip(chunk, weights, errors)]
 
 
-def job(given: list[Source], start: np.ndarray, arguments: argparse.Namespace) -> dict[str, object]:
-    """What makes one run the same as another: parts of one are not taken for those of the other."""
+def job(given: list[Source], files: dict[str, str], start: np.ndarray, arguments: argparse.Namespace) -> dict[str, object]:
+    """What makes one run the same as another; `files` have their checksums by name."""
     names = hashlib.sha256("\n".join(f"{source.name} {source.file}" for source in given).encode()).hexdigest()
-    files = {path.name: sha256(path) for path in map(_file, arguments.sources)}
     own = {key: getattr(arguments, key) for key in ("steps", "sets", "seed", "chunk", "synthetic")}
     return {"names": names, "files": files, "start": hashlib.sha256(start.tobytes()).hexdigest(), **own}
 
 
-def _file(path: Path) -> Path:
-    return path / "library.safetensors" if path.is_dir() else path
-
-
-def part_written(path: Path, entries: list[Entry]) -> None:
-    """The networks of a chunk, their errors beside them."""
-    whole(path, save({entry.name: entry.weights.astype(np.float32) for entry in entries}, metadata={"errors": json.dumps({entry.name: entry.error for entry in entries})}))
-
-
-def part_read(path: Path, chunk: list[Source]) -> list[Entry]:
-    """What `part_written` wrote."""
-    with safe_open(path, framework="numpy") as file:
-        errors = json.loads(file.metadata()["errors"])
-    tensors = load_file(path)
-    return [Entry(source.name, source.file, tensors[source.name].astype(np.float64), errors[source.name]) for source in chunk]
+def provenance(called: dict[Path, str], paths: list[Path], begun: Path, arguments: argparse.Namespace) -> Provenance:
+    """The command with all that changes its result, and what every file that was read is from."""
+    command = ["scripts/fit_batch.py", *(called[path] for path in paths)]
+    command += ["--synthetic", str(arguments.synthetic)] if arguments.synthetic else []
+    command += ["--start", called[begun]] if arguments.start != SHARED else []
+    for key in ("steps", "sets", "chunk", "seed"):
+        command += [f"--{key}", str(getattr(arguments, key))]
+    rows = [row for path in dict.fromkeys([*paths, begun]) for row in origins.derived(path, called[path])]
+    return Provenance("Networks fitted from one shared start", shlex.join(command), arguments.seed, [row for place, row in enumerate(rows) if row not in rows[:place]])
 
 
 def run(arguments: argparse.Namespace) -> int:
     """Exit code."""
-    given = sources.checked([source for path in arguments.sources for source in sources.of_path(path)] + sources.synthetic(arguments.synthetic, arguments.seed))
-    start = library.shared_start(arguments.start)
-    parts = arguments.output / ".fit_batch"
-    parts.mkdir(parents=True, exist_ok=True)
-    mine, known = job(given, start, arguments), parts / "job.json"
-    if known.is_file() and json.loads(known.read_text()) != mine:
-        raise InvalidFile(parts, "parts of this run", "those of another", f"finish that one, or remove {parts}")
-    whole(known, json.dumps(mine).encode())
+    paths, begun = [sources.file_of(path).absolute() for path in arguments.sources], sources.file_of(arguments.start).absolute()
+    called = origins.told_apart([*paths, begun])
+    given = sources.checked([source for path in paths for source in sources.of_file(path, called[path])] + sources.synthetic(arguments.synthetic, arguments.seed))
+    if len(given) > fitted_library.MOST:
+        raise InvalidFile(arguments.output, f"at most {fitted_library.MOST} materials in a library", str(len(given)), "several libraries")
+    start = library.shared_start(begun)
+    # Before anything is fitted: files that cannot be read are found here.
+    made = provenance(called, paths, begun, arguments)
+    parts = FitParts(arguments.output, job(given, {called[path]: origins.sha256(path) for path in paths}, start, arguments))
     options = Options(arguments.steps, seed=arguments.seed)
-    sets = SampleSets.drawn(arguments.seed, arguments.sets or sample_sets.worth(arguments.steps))
+    sets = SampleSets.drawn(arguments.seed, arguments.sets)
     chunks = [given[first : first + arguments.chunk] for first in range(0, len(given), arguments.chunk)]
-    entries, seconds = [], {"targets": 0.0, "compile": 0.0, "fit": 0.0, "judge": 0.0}
+    entries, spent = [], Spent()
     with tqdm(total=len(given) * arguments.steps, desc="fitting", unit="step", unit_scale=True, leave=False, file=sys.stderr, disable=None) as bar:
         for place, chunk in enumerate(chunks):
-            path = parts / f"chunk-{place:05}.safetensors"
-            if path.is_file():
+            if parts.path(place).is_file():
                 bar.update(len(chunk) * arguments.steps)
             else:
-                part_written(path, fitted(chunk, start, sets, options, bar, seconds))
-            entries += part_read(path, chunk)
+                parts.written(place, fitted(chunk, start, sets, options, bar, spent))
+            entries += parts.read(place, chunk)
     lost = [entry.name for entry in entries if not np.isfinite(entry.weights).all()]
     if lost:
         print(f"error: {', '.join(lost[:5])}: did not stay finite; nothing was written", file=sys.stderr)
         return 1
-    derived = [{"file": name, "sha256": digits, "source": "", "terms": ""} for name, digits in mine["files"].items()]
-    command = f"scripts/fit_batch.py {' '.join(path.name for path in arguments.sources)} --synthetic {arguments.synthetic} --steps {arguments.steps} --seed {arguments.seed}"
-    provenance = Provenance("Networks fitted from one shared start", command, arguments.seed, derived)
-    fitted_library.write(arguments.output, start, entries, provenance, list(library.read(SHARED)))
-    shutil.rmtree(parts)
+    fitted_library.write(arguments.output, start, entries, made, list(library.read(SHARED)))
+    parts.remove()
     error = np.array([entry.error["log_error"] for entry in entries])
     summary = {
         "schema": 1, "materials": len(entries), "steps": arguments.steps, "sets": len(sets.factor), "devices": jax.device_count(), "platform": jax.devices()[0].platform,
-        "seconds": seconds, "peak_bytes": resource.getrusage(resource.RUSAGE_SELF).ru_maxrss * 1024, "log_error": {"mean": float(error.mean()), "median": float(np.median(error)), "max": float(error.max())},
+        "seconds": spent.seconds, "step_of_material_s": spent.steps, "peak_bytes": resource.getrusage(resource.RUSAGE_SELF).ru_maxrss * 1024, "log_error": {"mean": float(error.mean()), "median": float(np.median(error)), "max": float(error.max())},
     }  # fmt: skip
     print(json.dumps(summary) if arguments.json else f"{len(entries)} materials in {arguments.output}, log_error {error.mean():.4f} on average, {error.max():.4f} at most")
     return 0
@@ -161,6 +161,7 @@ def main(argv: list[str] | None = None) -> int:
         parser.error("give a source, or --synthetic N")
     if min(arguments.steps, arguments.chunk) < 1 or min(arguments.synthetic, arguments.sets, arguments.seed) < 0:
         parser.error("--steps and --chunk are at least 1, --synthetic, --sets and --seed at least 0")
+    arguments.sets = arguments.sets or sample_sets.worth(arguments.steps)
     return exit_code(lambda: run(arguments))
 
 

@@ -12,7 +12,7 @@ from . import split
 from .library import SHARED_START, database
 from .network import WIDTHS
 
-MOST = 20_000  # networks: the file stays below the 64 MiB that are read
+MOST = 10_000  # networks of a library that `nbrdf` reads
 
 
 @dataclass(frozen=True)
@@ -39,7 +39,7 @@ def write(folder: Path, start: np.ndarray, entries: list[Entry], provenance: Pro
     """Both files, each under another name first. `standard_names` are those of the databases, which say who is held out."""
     held_out = {name for kind in split.RULES for name in split.held_out(standard_names, kind)}
     networks = {entry.name: entry.weights.astype(np.float32) for entry in entries} | {SHARED_START: start.astype(np.float32)}
-    tensors = save(networks, metadata={"hidden": ",".join(map(str, WIDTHS[1:-1]))})
+    tensors = save(networks, metadata=networks_metadata())
     rows = [
         {"name": entry.name, "database": _database(entry.name, standard_names), "held_out": entry.name in held_out, "source_file": entry.source_file, "error": entry.error}
         for entry in entries
@@ -51,16 +51,16 @@ def write(folder: Path, start: np.ndarray, entries: list[Entry], provenance: Pro
         whole(folder / name, data)
 
 
+def networks_metadata() -> dict[str, str]:
+    """What a .safetensors of networks says of their shape."""
+    return {"hidden": ",".join(map(str, WIDTHS[1:-1]))}
+
+
 def whole(path: Path, data: bytes) -> None:
     """Writes a file whole or not at all."""
     part = path.with_name(f".{path.name}.part")
     part.write_bytes(data)
     part.replace(path)
-
-
-def sha256(path: Path) -> str:
-    """Of a file, as digits."""
-    return hashlib.sha256(path.read_bytes()).hexdigest()
 
 
 def _database(name: str, standard_names: list[str]) -> str:

@@ -19,24 +19,30 @@ SYNTHETIC = "ggx-"
 
 @dataclass(frozen=True, eq=False)
 class Source:
-    """A material to be fitted: its name, the file it is from, and f_r at places; read when it is asked for."""
+    """A material to be fitted: its name, what the file it is from is called, and f_r at places; read when it is asked for."""
 
     name: str
     file: str
     load: Callable[[], Reflectance]
 
 
-def of_path(path: Path) -> list[Source]:
-    """A library (.zip, .safetensors, or a folder with library.safetensors), a MERL .binary or an RGL .bsdf."""
-    if (path / "library.safetensors").is_file():
-        path = path / "library.safetensors"
+def file_of(path: Path) -> Path:
+    """The file itself; of a library's folder that of its networks."""
+    path = path / "library.safetensors" if path.is_dir() else path
+    if not path.is_file():
+        raise InvalidFile(path, "a library, a MERL .binary or an RGL .bsdf", "no such file")
+    return path
+
+
+def of_file(path: Path, called: str) -> list[Source]:
+    """A library (.zip, .safetensors), a MERL .binary or an RGL .bsdf; `called` is told as the file of its materials."""
     match path.suffix:
         case ".binary":
-            return [Source(path.stem, path.name, lambda: _of_pairs(merl.read(path)))]
+            return [Source(path.stem, called, lambda: _of_pairs(merl.read(path)))]
         case ".bsdf":
-            return [Source(library.name_of(path.stem), path.name, lambda: _of_pairs(rgl.read(path)))]
+            return [Source(library.name_of(path.stem), called, lambda: _of_pairs(rgl.read(path)))]
         case ".zip" | ".safetensors":
-            return [Source(name, path.name, lambda weights=weights: of_network(weights)) for name, weights in library.read(path).items()]
+            return [Source(name, called, lambda weights=weights: of_network(weights)) for name, weights in library.read(path).items()]
         case _:
             raise InvalidFile(path, "a library, a MERL .binary or an RGL .bsdf", f"a name that ends in {path.suffix or 'nothing'!r}")
 
@@ -61,7 +67,7 @@ def checked(sources: Iterable[Source]) -> list[Source]:
     kept = sorted(sources, key=lambda source: source.name)
     for first, second in zip(kept, kept[1:]):
         if first.name == second.name:
-            raise InvalidFile(second.file, "every name once", f"{first.name} also in {first.file}")
+            raise InvalidFile(second.file, "every name once", f"{first.name} also in {first.file}", "rename one of the files")
     return kept
 
 
