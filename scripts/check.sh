@@ -29,7 +29,7 @@ if ! [ -x .venv/bin/python ]; then
     fi
 fi
 # Mitsuba has no wheels for every machine; all else must be there.
-if ! .venv/bin/python -m pip install -q -e 'scripts[mitsuba]'; then .venv/bin/python -m pip install -q -e scripts; fi
+if ! .venv/bin/python -m pip install -q -e 'scripts[mitsuba,keras]'; then .venv/bin/python -m pip install -q -e 'scripts[keras]'; fi
 
 say "style"
 cargo fmt --all --check

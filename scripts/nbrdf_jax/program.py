@@ -10,7 +10,7 @@ import numpy as np
 from .data import REPOSITORY, folder
 from .invalid import InvalidFile
 
-BUILT = REPOSITORY / "target" / "release" / "nbrdf"
+BUILT = Path(os.environ.get("CARGO_TARGET_DIR", REPOSITORY / "target")) / "release" / "nbrdf"
 
 
 def report(binary: Path, arguments: list[str], output: Path) -> Path:

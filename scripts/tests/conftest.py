@@ -1,13 +1,14 @@
 """Fixtures: published networks when they are there, and a small made-up autoencoder when they are not needed."""
 
 import os
+import subprocess
 from pathlib import Path
 
 import numpy as np
 import pytest
 from safetensors.numpy import save_file
 
-from nbrdf_jax import data, library
+from nbrdf_jax import data, library, program
 
 FEATURES, HIDDEN, SHARED, CHANNEL = 12, 10, 5, 2
 TRUNK, HEAD = 609, 22
@@ -30,6 +31,17 @@ def merl() -> library.Library:
 @pytest.fixture(scope="session")
 def rgl() -> library.Library:
     return published("rgl")
+
+
+@pytest.fixture(scope="session")
+def exported(tmp_path_factory) -> Path:
+    """Chrome as .npz and as .h5."""
+    if not program.BUILT.is_file():
+        pytest.skip(f"PROGRAM MISSING: {program.BUILT}: cargo build --release")
+    folder = tmp_path_factory.mktemp("exported")
+    for form in ("npz", "keras"):
+        subprocess.run([program.BUILT, "export", "chrome", "--to", form, "-o", folder / "chrome", "--quiet"], check=True, stdout=subprocess.DEVNULL)
+    return folder
 
 
 @pytest.fixture(scope="module")

@@ -1,29 +1,12 @@
 """What `nbrdf export` writes, read by others: h5py and NumPy; and the record of how far exports are from their sources."""
 
 import json
-import os
-import subprocess
-from pathlib import Path
 
 import h5py
 import numpy as np
 import pytest
 
 import record_exports
-
-ROOT = Path(__file__).resolve().parents[2]
-PROGRAM = Path(os.environ.get("CARGO_TARGET_DIR", ROOT / "target")) / "release" / "nbrdf"
-
-
-@pytest.fixture(scope="session")
-def exported(tmp_path_factory) -> Path:
-    """Chrome as .npz and as .h5."""
-    if not PROGRAM.is_file():
-        pytest.skip(f"PROGRAM MISSING: {PROGRAM}: cargo build --release")
-    folder = tmp_path_factory.mktemp("exported")
-    for form in ("npz", "keras"):
-        subprocess.run([PROGRAM, "export", "chrome", "--to", form, "-o", folder / "chrome", "--quiet"], check=True, stdout=subprocess.DEVNULL)
-    return folder
 
 
 def test_h5py_reads_the_weights_of_a_keras_file_to_the_bit_and_where_keras_looks_for_them(exported):
