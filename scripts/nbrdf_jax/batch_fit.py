@@ -7,7 +7,7 @@ its cache. No material's result depends on its neighbours.
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from functools import partial
+from functools import cache, partial
 
 import jax
 import jax.numpy as jnp
@@ -15,7 +15,7 @@ import numpy as np
 from jax.sharding import Mesh, NamedSharding, PartitionSpec
 from jaxtyping import Float
 
-from .network import WIDTHS
+from .network import WIDTHS, size
 from .objective import Counts, loss
 from .sample_sets import SampleSets
 
@@ -45,21 +45,19 @@ def devices_mesh() -> Mesh:
 def fit(starts: Float[np.ndarray, "m w"], wanted: tuple[np.ndarray, ...], sets: SampleSets, options: Options, mesh: Mesh, progress: Callable[[int], object]) -> Float[np.ndarray, "m w"]:
     """starts [m, 675], wanted features [m, s, …] of `SampleSets.wanted` → weights [m, 675]; m is a multiple of the devices.
 
-    `progress` is told how many steps have been taken: none where a block has only been compiled.
+    `progress` is told how many steps have been taken: none when a block is ready to begin, compiled where it was not yet.
     """
-    split, whole = (NamedSharding(mesh, PartitionSpec(*axes)) for axes in (("materials",), ()))
+    split, whole = _shardings(mesh)
     put = lambda array, sharding: jax.device_put(np.asarray(array, np.float32), sharding)
     state = put(starts, split), put(np.zeros_like(starts), split), put(np.zeros_like(starts), split)
     targets = put(starts, split), *(put(kind, split) for kind in wanted)
     shared = put(sets.inputs, whole), put(sets.factor, whole)
     order = np.random.default_rng((options.seed, 2)).integers(0, len(sets.factor), options.steps).astype(np.int32)
-    block, compiled = _block(mesh, sets.counts, options), {}
     for first in range(0, options.steps, BLOCK):
         picked, number = jax.device_put(order[first : first + BLOCK], whole), jax.device_put(np.int32(first), whole)
-        if len(picked) not in compiled:
-            compiled[len(picked)] = block.lower(state, targets, shared, picked, number).compile()
-            progress(0)
-        state = compiled[len(picked)](state, targets, shared, picked, number)
+        block = _compiled(mesh, sets.counts, options, len(picked), len(starts), len(sets.factor))
+        progress(0)
+        state = block(state, targets, shared, picked, number)
         state[0].block_until_ready()
         progress(len(picked))
     return np.asarray(state[0])
@@ -72,6 +70,26 @@ def random_start(seed: int, index: int) -> Float[np.ndarray, "w"]:  # noqa: F821
         limit = np.sqrt(6 / (rows + columns))
         parts += [random.uniform(-limit, limit, rows * columns), np.zeros(columns)]
     return np.concatenate(parts)
+
+
+def _shardings(mesh: Mesh) -> tuple[NamedSharding, NamedSharding]:
+    """Of what belongs to a material, and of what all share."""
+    return NamedSharding(mesh, PartitionSpec("materials")), NamedSharding(mesh, PartitionSpec())
+
+
+@cache
+def _compiled(mesh: Mesh, counts: Counts, options: Options, steps: int, materials: int, sets: int) -> jax.stages.Compiled:
+    """A block of so many steps; compiled once for all chunks of one size."""
+    split, whole = _shardings(mesh)
+
+    def shape(sharding: NamedSharding, *sizes: int, kind: type = np.float32) -> jax.ShapeDtypeStruct:
+        return jax.ShapeDtypeStruct(sizes, kind, sharding=sharding)
+
+    weights = shape(split, materials, size())
+    targets = weights, *(shape(split, materials, sets, count, 3) for count in (counts.log, counts.relative, counts.pixels))
+    shared = shape(whole, sets, counts.directions, WIDTHS[0]), shape(whole, sets, counts.directions)
+    numbers = shape(whole, steps, kind=np.int32), shape(whole, kind=np.int32)
+    return _block(mesh, counts, options).lower((weights,) * 3, targets, shared, *numbers).compile()
 
 
 def _block(mesh: Mesh, counts: Counts, options: Options) -> jax.stages.Wrapped:
@@ -103,5 +121,5 @@ def _step(state: State, at: tuple[jax.Array, jax.Array], targets: tuple[jax.Arra
     mean, square = mean + (1 - FIRST) * (slope - mean), square + (1 - SECOND) * (slope * slope - square)
     done = index.astype(jnp.float32)
     rate = 0.5 * options.rate * (1 + jnp.cos(jnp.pi * done / options.steps))
-    size = jnp.sqrt(square / (1 - SECOND ** (done + 1))) + TINY
-    return (weights - rate * mean / (1 - FIRST ** (done + 1)) / size, mean, square), None
+    scale = jnp.sqrt(square / (1 - SECOND ** (done + 1))) + TINY
+    return (weights - rate * mean / (1 - FIRST ** (done + 1)) / scale, mean, square), None
