@@ -52,10 +52,10 @@ def judged(reference: Reflectance, weights: np.ndarray) -> dict[str, float]:
 
 @dataclass
 class Spent:
-    """Seconds by what they were spent on, and of every block of steps the seconds for a step of a material."""
+    """Seconds by what they were spent on, and of every block of steps the seconds for a step of a material, by the clock and of processor time."""
 
     seconds: dict[str, float] = field(default_factory=lambda: dict.fromkeys(("targets", "compile", "fit", "judge"), 0.0))
-    steps: list[float] = field(default_factory=list)
+    steps: dict[str, list[float]] = field(default_factory=lambda: {"clock": [], "processor": []})
 
 
 def fitted(chunk: list[Source], start: np.ndarray, sets: SampleSets, options: Options, bar: tqdm, spent: Spent) -> list[Entry]:
@@ -69,16 +69,18 @@ def fitted(chunk: list[Source], start: np.ndarray, sets: SampleSets, options: Op
     targets += [targets[-1]] * (len(filled) - len(chunk))
     wanted = tuple(np.stack([target[kind] for target in targets]) for kind in range(3))
     del targets
-    ready = last = time.perf_counter()
-    compiling = 0.0
+    ready = time.perf_counter()
+    last, compiling = (ready, time.process_time()), 0.0
 
     def told(steps: int) -> None:
         nonlocal last, compiling
-        now = time.perf_counter()
+        now = time.perf_counter(), time.process_time()
+        passed = [after - before for before, after in zip(last, now)]
         if steps == 0:
-            compiling += now - last
+            compiling += passed[0]
         else:
-            spent.steps.append((now - last) / steps / len(chunk))
+            for kind, seconds in zip(spent.steps.values(), passed):
+                kind.append(seconds / steps / len(chunk))
         last = now
         bar.update(steps * len(chunk))
 

@@ -65,7 +65,8 @@ def test_a_stopped_run_goes_on_and_ends_as_if_it_had_not_been_stopped(fitted, tm
     assert not (tmp_path / "manifest.json").exists() and (tmp_path / ".fit_batch" / "chunk-00000.safetensors").is_file()
     monkeypatch.setattr(fit_batch, "fitted", lambda *arguments: calls.append(1) or whole(*arguments))
     assert fit(tmp_path) == 0 and len(calls) == 3
-    assert (tmp_path / "library.safetensors").read_bytes() == (fitted / "library.safetensors").read_bytes()
+    for name in ("library.safetensors", "manifest.json"):
+        assert (tmp_path / name).read_bytes() == (fitted / name).read_bytes()
 
 
 def test_parts_of_another_run_are_not_taken_for_ones_own(tmp_path, capsys):
