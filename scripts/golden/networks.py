@@ -33,7 +33,8 @@ def gradient() -> bytes:
     factor = (light[:, 2] * random.uniform(0.5, 1.0, counts.directions)).astype(np.float32).astype(np.float64)
     inputs = network_inputs(light, view)
     wanted = objective.features(reflectance(other, inputs), factor, counts)
-    value, by_weight = jax.value_and_grad(objective.loss)(jnp.asarray(own), jnp.asarray(inputs), jnp.asarray(factor), tuple(map(jnp.asarray, wanted)), counts)
+    # Compiled whole: one by one its operations take four times as long to compile.
+    value, by_weight = jax.jit(jax.value_and_grad(objective.loss), static_argnums=4)(jnp.asarray(own), jnp.asarray(inputs), jnp.asarray(factor), tuple(map(jnp.asarray, wanted)), counts)
     tensors = {"own": own, "other": other, "light": light, "view": view, "factor": factor, "loss": np.array([float(value)]), "gradient": np.asarray(by_weight)}
     about = f"loss and gradient of 'own' against 'other', {counts}, float64 rounded to float32; made by scripts/make_golden.py gradient"
     return save({name: tensor.astype(np.float32) for name, tensor in tensors.items()}, metadata={"about": about})
