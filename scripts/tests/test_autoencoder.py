@@ -1,5 +1,6 @@
 from itertools import permutations
 
+import jax
 import jax.numpy as jnp
 import numpy as np
 import pytest
@@ -12,9 +13,15 @@ from nbrdf_jax.network import reflectance
 SHARED, CHANNEL = 5, 2
 
 
-@pytest.fixture
-def model(checkpoint):
-    return autoencoder.read(checkpoint)
+@pytest.fixture(scope="module")
+def model(module_checkpoint):
+    return autoencoder.read(module_checkpoint)
+
+
+@pytest.fixture(scope="module")
+def compiled(model):
+    """Encoding and decoding, each compiled whole: one by one their operations take longer."""
+    return jax.jit(model.encode), jax.jit(model.decode)
 
 
 def permuted_weights(weights: np.ndarray, order: tuple[int, ...]) -> np.ndarray:
@@ -35,26 +42,29 @@ def test_sizes_come_from_the_tensors(model):
 
 
 @pytest.mark.parametrize("order", list(permutations(range(3))))
-def test_permuting_rgb_permutes_the_code_and_back(model, order):
+def test_permuting_rgb_permutes_the_code_and_back(compiled, order):
+    encode, decode = compiled
     weights = np.random.default_rng(3).normal(0, 0.3, 675)
-    code = np.asarray(model.encode(jnp.asarray(weights)))
-    other = np.asarray(model.encode(jnp.asarray(permuted_weights(weights, order))))
+    code = np.asarray(encode(jnp.asarray(weights)))
+    other = np.asarray(encode(jnp.asarray(permuted_weights(weights, order))))
     assert np.allclose(other, permuted_code(code, order), atol=1e-12)
-    decoded = np.asarray(model.decode(jnp.asarray(permuted_code(code, order))))
-    assert np.allclose(decoded, permuted_weights(np.asarray(model.decode(jnp.asarray(code))), order), atol=1e-12)
+    decoded = np.asarray(decode(jnp.asarray(permuted_code(code, order))))
+    assert np.allclose(decoded, permuted_weights(np.asarray(decode(jnp.asarray(code))), order), atol=1e-12)
 
 
-def test_the_code_ignores_neuron_order_and_scale(model):
+def test_the_code_ignores_neuron_order_and_scale(compiled):
+    encode, _ = compiled
     weights = np.random.default_rng(4).normal(0, 0.3, 675)
     shuffle, scale = np.random.default_rng(5).permutation(21), np.linspace(0.5, 2, 21)
     other = weights.copy()
     other[:126] = (weights[:126].reshape(6, 21)[:, shuffle] * scale).ravel()
     other[126:147] = weights[126:147][shuffle] * scale
     other[147:588] = (weights[147:588].reshape(21, 21)[shuffle] / scale[:, None]).ravel()
-    assert np.allclose(model.encode(jnp.asarray(weights)), model.encode(jnp.asarray(other)), atol=1e-10)
+    assert np.allclose(encode(jnp.asarray(weights)), encode(jnp.asarray(other)), atol=1e-10)
 
 
-def test_equals_a_literal_forward(model, tensors):
+def test_equals_a_literal_forward(compiled, tensors):
+    encode, decode = compiled
     t = {name: tensor.astype(np.float64) for name, tensor in tensors.items()}
     weights = np.random.default_rng(6).normal(0, 0.3, 675)
 
@@ -76,7 +86,7 @@ def test_equals_a_literal_forward(model, tensors):
     shared = t["encoder.shared.weight"] @ middle + t["encoder.shared.bias"]
     channels = [t["encoder.channel.weight"] @ np.concatenate((e, middle)) + t["encoder.channel.bias"] for e in own]
     code = np.concatenate((shared, *channels))
-    assert np.allclose(model.encode(jnp.asarray(weights)), code, atol=1e-12)
+    assert np.allclose(encode(jnp.asarray(weights)), code, atol=1e-12)
 
     delta = np.zeros(675)
     common = np.concatenate((shared, sum(channels) / 3))
@@ -84,7 +94,7 @@ def test_equals_a_literal_forward(model, tensors):
     for c in range(3):
         head = mlp("decoder.head", np.concatenate((common, channels[c])), False)
         delta[609 + c : 672 : 3], delta[672 + c] = head[:21], head[21]
-    assert np.allclose(model.decode(jnp.asarray(code)), t["start"] + t["spread"] * delta, atol=1e-12)
+    assert np.allclose(decode(jnp.asarray(code)), t["start"] + t["spread"] * delta, atol=1e-12)
 
 
 def test_a_foreign_or_broken_checkpoint_is_named(tensors, tmp_path):
