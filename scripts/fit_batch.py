@@ -29,7 +29,7 @@ from nbrdf_jax.evaluation import of_network
 from nbrdf_jax.fit_parts import FitParts
 from nbrdf_jax.fitted_library import Entry, Provenance
 from nbrdf_jax.invalid import InvalidFile, exit_code
-from nbrdf_jax.places import Reflectance, walked
+from nbrdf_jax.places import Places, Reflectance, walked
 from nbrdf_jax.sample_sets import SampleSets
 from nbrdf_jax.sources import Source
 from nbrdf_jax.workers import each
@@ -37,9 +37,8 @@ from nbrdf_jax.workers import each
 SHARED = data.REPOSITORY / "nbrdf-core" / "assets" / "shared" / "library.safetensors"
 
 
-def judged(reference: Reflectance, weights: np.ndarray) -> dict[str, float]:
-    """How far a network is from what it was fitted to."""
-    places = walked(True)
+def judged(reference: Reflectance, weights: np.ndarray, places: Places) -> dict[str, float]:
+    """How far a network is from what it was fitted to, at the places of a walk between the ends."""
     f, g = (np.maximum(reflectance(places), 0) for reflectance in (reference, of_network(weights)))
     cosine = places.light[places.parts["rus32k"], 2]
     pairs, pictures = ([part(values, name) for values in (f, g)] for part, name in ((places.part, "rus32k"), (places.pixels, "studio")))
@@ -86,7 +85,8 @@ def fitted(chunk: list[Source], start: np.ndarray, sets: SampleSets, options: Op
 
     weights = batch_fit.fit(np.broadcast_to(start, (len(filled), len(start))), wanted, sets, options, mesh, told)[: len(chunk)].astype(np.float64)
     done = time.perf_counter()
-    errors = list(each(lambda pair: judged(*pair), list(zip(reflectances, weights))))
+    places = walked(True)  # here, or every thread would make them for itself
+    errors = list(each(lambda pair: judged(*pair, places), list(zip(reflectances, weights))))
     for what, seconds in (("targets", ready - begin), ("compile", compiling), ("fit", done - ready - compiling), ("judge", time.perf_counter() - done)):
         spent.seconds[what] += seconds
     return [Entry(source.name, source.file, own, error) for source, own, error in zip(chunk, weights, errors)]

@@ -11,8 +11,9 @@ import fit_batch
 from nbrdf_jax import fitted_library, library, program, sample_sets, sources
 from nbrdf_jax.fitted_library import networks_metadata
 from nbrdf_jax.objective import STEP
+from nbrdf_jax.places import walked
 
-COMMAND = ["--synthetic", "3", "--steps", "60", "--chunk", "2"]
+COMMAND = ["--synthetic", "4", "--steps", "60", "--chunk", "2"]
 needs_program = pytest.mark.skipif(not program.BUILT.is_file(), reason="the program is not built: cargo build --release")
 
 
@@ -42,10 +43,10 @@ def fitted(tmp_path_factory):
 
 def test_fits_come_closer_than_their_start_and_are_told_with_their_errors(fitted):
     start = library.shared_start(fitted / "library.safetensors")
-    for row, source in zip(manifest(fitted)["materials"], sources.synthetic(3, 0)):
-        before = fit_batch.judged(source.load(), start)
+    for row, source in zip(manifest(fitted)["materials"], sources.synthetic(4, 0)):
+        before = fit_batch.judged(source.load(), start, walked(True))
         assert row["error"]["log_error"] < 0.5 * before["log_error"] and not row["held_out"] and row["database"] == "other"
-        assert row["error"] == pytest.approx(fit_batch.judged(source.load(), networks(fitted)[row["name"]]), rel=1e-6)
+        assert row["error"] == pytest.approx(fit_batch.judged(source.load(), networks(fitted)[row["name"]], walked(True)), rel=1e-6)
     assert not (fitted / ".fit_batch").exists()
 
 
