@@ -79,11 +79,13 @@ def test_what_is_no_merl_table_is_named(table, tmp_path):
 
 
 def test_sources_have_the_names_that_the_library_gives_them(table, module_networks):
-    assert [source.name for source in sources.of_path(table[0])] == ["paint"]
-    assert [source.name for source in sources.of_path(module_networks)] == [f"m{i}" for i in range(8)]
+    assert [(source.name, source.file) for source in sources.of_file(table[0], "a/paint.binary")] == [("paint", "a/paint.binary")]
+    assert [source.name for source in sources.of_file(module_networks, "n")] == [f"m{i}" for i in range(8)]
     with pytest.raises(InvalidFile, match="library"):
-        sources.of_path(table[0].with_suffix(".txt"))
-    twice = sources.of_path(table[0]) * 2
+        sources.of_file(table[0].with_suffix(".txt"), "t")
+    with pytest.raises(InvalidFile, match="no such file"):
+        sources.file_of(table[0].with_suffix(".txt"))
+    twice = sources.of_file(table[0], "p") * 2
     with pytest.raises(InvalidFile, match="once"):
         sources.checked(twice)
     assert sources.made_up(3, 0) == sources.made_up(3, 0) != sources.made_up(4, 0)
