@@ -2,6 +2,7 @@
 
 import json
 import os
+from tempfile import TemporaryDirectory
 
 import jax
 import jax.numpy as jnp
@@ -10,7 +11,9 @@ import pytest
 
 from nbrdf_jax import coordinates, directions, network
 
-os.environ.setdefault("KERAS_BACKEND", "jax")
+# Keras writes its settings into the home folder when it is imported.
+HOME = TemporaryDirectory()
+os.environ |= {"KERAS_BACKEND": "jax", "KERAS_HOME": HOME.name}
 keras = pytest.importorskip("keras", reason="Keras is not installed: pip install -e 'scripts[keras]'")
 
 
