@@ -6,6 +6,7 @@ as well. Of anything else only the name and the checksum are known, and what a t
 
 import hashlib
 import json
+from collections import Counter
 from collections.abc import Iterable
 from pathlib import Path
 
@@ -16,7 +17,7 @@ from .invalid import InvalidFile
 
 Derived = dict[str, str]  # file, sha256, source, terms: a row of `derived_from`
 
-MANIFEST = "manifest.json"
+NETWORKS_OF_LIBRARY, MANIFEST = "library.safetensors", "manifest.json"
 UNKNOWN, ASK = "not known to this program", "ask who made it"
 NETWORKS = (
     "Sztrajman, Rainer, Ritschel, Weyrich 2021, Neural BRDF Representation and Importance Sampling, doi 10.1111/cgf.14335: published network weights",
@@ -51,7 +52,8 @@ def told_apart(paths: Iterable[Path]) -> dict[Path, str]:
 
     while True:
         names = [name(path) for path in paths]
-        alike = [path for path, own in zip(paths, names) if names.count(own) > 1 and ends[path] < len(path.parts)]
+        seen = Counter(names)
+        alike = [path for path, own in zip(paths, names) if seen[own] > 1 and ends[path] < len(path.parts)]
         if not alike:
             return dict(zip(paths, names))
         for path in alike:
@@ -65,7 +67,7 @@ def derived(path: Path, name: str) -> list[Derived]:
         source, terms = PUBLISHED[digits]
         return [_row(name, digits, source, terms)]
     manifest = path.with_name(MANIFEST)
-    if path.suffix == ".safetensors" and manifest.is_file():
+    if path.name == NETWORKS_OF_LIBRARY and manifest.is_file():
         return _of_library(manifest, name, digits)
     described = _description(path) if path.suffix == ".bsdf" else ""
     return [_row(name, digits, f"{UNKNOWN}; the file says of itself: {described}" if described else UNKNOWN, ASK)]

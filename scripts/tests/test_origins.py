@@ -38,6 +38,9 @@ def test_a_library_brings_the_sources_of_its_networks(tmp_path):
     save_file({"a": np.ones(675, np.float32)}, tmp_path / "library.safetensors")
     with pytest.raises(InvalidFile, match="that of others"):
         origins.derived(tmp_path / "library.safetensors", "mine")
+    # A network that lies in the same folder is not of the library.
+    save_file({"a": np.ones(675, np.float32)}, tmp_path / "a.safetensors")
+    assert [row["terms"] for row in origins.derived(tmp_path / "a.safetensors", "a")] == ["ask who made it"]
 
 
 @pytest.mark.parametrize("text", ["", "[]", "{}", '{"derived_from": [{}]}'])
