@@ -24,10 +24,10 @@ def test_h5py_reads_the_weights_of_a_keras_file_to_the_bit_and_where_keras_looks
 
 def test_the_architecture_beside_it_is_plain_and_of_the_same_shapes(exported):
     model = json.loads((exported / "chrome.json").read_text())
-    layers = model["config"]["layers"]
+    first, *layers = model["config"]["layers"]
     assert [layer["class_name"] for layer in layers] == ["Dense"] * 3
     assert [layer["config"]["units"] for layer in layers] == [21, 21, 3]
-    assert layers[0]["config"]["batch_input_shape"] == [None, 6]
+    assert (first["class_name"], first["config"]["batch_input_shape"]) == ("InputLayer", [None, 6])
 
 
 def test_errors_are_recorded_with_the_worst_first(tmp_path):

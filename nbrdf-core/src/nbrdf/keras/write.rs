@@ -6,6 +6,7 @@ use serde_json::json;
 
 use super::KerasError;
 use crate::Nbrdf;
+use crate::nbrdf::INPUTS;
 
 /// Layers in their order.
 const LAYERS: [&str; 3] = ["dense_1", "dense_2", "dense_3"];
@@ -38,25 +39,25 @@ pub fn write_keras(network: &Nbrdf) -> Result<Vec<u8>, KerasError> {
     Ok(file.finish()?)
 }
 
-/// The model's architecture as Keras' `model_from_json` reads it: three Dense layers, and nothing that is run. The network's
-/// last step, exp(y) − 1 clamped at 0, is no layer here: published files hold it as marshalled code.
+/// The model's architecture as Keras' `model_from_json` reads it: the input, three Dense layers, and nothing that is run. The
+/// network's last step, exp(y) − 1 clamped at 0, is no layer here: published files hold it as marshalled code. Beyond the
+/// published layout it has what Keras 3 asks for: where its class is found (`module`), and the input as a layer of its own.
 pub fn write_architecture(network: &Nbrdf, name: &str) -> String {
     let [first, second] = network.hidden();
     let layer = |(index, name): (usize, &str)| {
         let units = [first, second, 3][index];
         let activation = if index < 2 { "relu" } else { "linear" };
-        let mut config = json!({
+        let config = json!({
             "name": name, "trainable": true, "dtype": "float32", "units": units, "activation": activation, "use_bias": true,
         });
-        if index == 0 {
-            config["batch_input_shape"] = json!([null, 6]);
-        }
         json!({"class_name": "Dense", "config": config})
     };
-    let layers: Vec<_> = LAYERS.into_iter().enumerate().map(layer).collect();
+    let input = json!({"name": "input_1", "dtype": "float32", "batch_input_shape": [null, INPUTS], "sparse": false});
+    let input = json!({"class_name": "InputLayer", "config": input});
+    let layers: Vec<_> = std::iter::once(input).chain(LAYERS.into_iter().enumerate().map(layer)).collect();
     let model = json!({
         "class_name": "Sequential", "config": {"name": name, "layers": layers}, "keras_version": VERSION,
-        "backend": BACKEND,
+        "backend": BACKEND, "module": "keras", "registered_name": null,
     });
     format!("{model}\n")
 }
@@ -95,7 +96,8 @@ mod tests {
     fn the_architecture_has_three_dense_layers_and_no_code() {
         let text = write_architecture(&random_hidden(3, 0, [21, 20]), "a");
         let model: serde_json::Value = serde_json::from_str(&text).unwrap();
-        let layers = model["config"]["layers"].as_array().unwrap();
+        let (input, layers) = model["config"]["layers"].as_array().unwrap().split_first().unwrap();
+        assert_eq!(input["config"]["batch_input_shape"], json!([null, 6]));
         let units: Vec<_> = layers.iter().map(|layer| layer["config"]["units"].as_u64().unwrap()).collect();
         assert_eq!(units, [21, 20, 3]);
         assert!(layers.iter().all(|layer| layer["class_name"] == "Dense"), "{text}");
