@@ -345,7 +345,7 @@ fn a_place_without_networks_is_an_error_that_says_what_is_read() {
     assert!(matches!(Library::load(&folder.path().join("none.zip")), Err(LibraryError::Io { .. })));
     assert!(matches!(Library::load(&folder.path().join("none")), Err(LibraryError::Io { .. })));
     let (_keep, path) = written("notes.txt", b"hello");
-    assert!(Library::load(&path).unwrap_err().to_string().contains("expected networks (.h5, "));
+    assert!(Library::load(&path).unwrap_err().to_string().contains("expected the extension .h5, "));
 }
 
 #[test]

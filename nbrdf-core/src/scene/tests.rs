@@ -69,7 +69,7 @@ fn what_is_no_scene_is_told_with_place_and_remedy() {
             "one of sphere, plane",
         ),
         (with("").replace("[50, 50, 50]", "[50, -50, 50]"), "light 1, intensity: expected 0 to 1e9, found -50"),
-        (format!("include = [\"none.toml\"]\n{}", with("")), "none.toml: cannot be read"),
+        (format!("include = [\"none.toml\"]\n{}", with("")), "none.toml: expected a file, found no such file"),
         (format!("include = [\"a.toml\"]\n{}", with("")), "includes lead around in a circle (a.toml → a.toml)"),
         (format!("tolerance = 0\n{}", with("")), "tolerance: expected above 0, 1 at most, found 0"),
         ("\u{0}".to_owned(), "expected a scene in TOML"),
@@ -94,7 +94,9 @@ fn a_mesh_that_leads_nowhere_is_told() {
         let error = scene(&[("main.toml", &main), ("m.obj", text)]).unwrap_err().to_string();
         assert!(error.contains("m.obj: ") && error.contains(expected), "{expected}: {error}");
     }
-    assert!(scene(&[("main.toml", &main)]).unwrap_err().to_string().contains("m.obj: cannot be read"));
+    assert!(
+        scene(&[("main.toml", &main)]).unwrap_err().to_string().contains("m.obj: expected a file, found no such file")
+    );
 }
 
 #[test]
