@@ -2,18 +2,19 @@
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import partial
 
 import numpy as np
 
 from . import split
 from .evaluation import of_network
 from .invalid import InvalidFile
-from .judge import KEYS, Seen, figures
+from .judge import BOUNDS, KEYS, Seen, figures
 from .learned import Learned
 from .refine import Refiner
 from .report import Report, Row
 from .spread import Spread, is_higher_better
-from .workers import each
+from .workers import all_of
 
 
 @dataclass(frozen=True)
@@ -30,36 +31,32 @@ class Recomputed:
         return Spread.of(self.names, self.figures[key], is_higher_better(key))
 
 
-def recompute(report: Report, learned: Learned, where: object, progress: Callable = iter) -> list[Recomputed]:
-    """All rows of a report. `progress` wraps the materials as they are done."""
+def recompute(report: Report, learned: Learned, where: object, run: Callable = all_of) -> list[Recomputed]:
+    """All rows of a report; `run` works on the materials."""
     rows = [(row, _names(row, learned, where)) for row in report.rows]
     materials = sorted({name for _, names in rows for name in names})
-    found: dict[tuple[int, str], tuple[dict[str, float], float | None]] = {}
 
-    def judge(name: str) -> list[tuple[tuple[int, str], tuple[dict[str, float], float | None]]]:
+    def judge(name: str) -> list[tuple[int, dict[str, float], float | None]]:
         reference = Seen.of(of_network(learned.networks[name]))
-        return [((index, name), _judged(reference, row, names.index(name), name, learned)) for index, (row, names) in enumerate(rows) if name in names]
+        return [(index, *_judged(reference, row, names.index(name), name, learned)) for index, (row, names) in enumerate(rows) if name in names]
 
-    # Learned before the work is shared out, so that it is not learned twice.
-    for representation in {row.name for row, _ in rows} & {"pca_tables", "pca_weights"}:
-        _ = learned.tables if representation == "pca_tables" else learned.weights
-    for judged in progress(each(judge, materials)):
-        found |= judged
+    judged = run("held-out materials", judge, materials, partial(learned.prepare, {row.name for row, _ in rows}), report.rows)
+    found = {(index, name): (figures, difference) for name, own in zip(materials, judged) for index, figures, difference in own}
     return [_gathered(row, names, [found[index, name] for name in names]) for index, (row, names) in enumerate(rows)]
 
 
-def refined_anew(report: Report, learned: Learned, where: object, progress: Callable = iter) -> list[Recomputed]:
+def refined_anew(report: Report, learned: Learned, where: object, run: Callable = all_of) -> list[Recomputed]:
     """The refined rows of the autoencoder with codes that are refined here, from those of the encoder."""
     refiner = Refiner(learned.model)
 
-    def judge(job: tuple[Row, str]) -> dict[str, float]:
+    def judge(job: tuple[str, str]) -> dict[str, float]:
         network = of_network(learned.networks[job[1]])
         code = refiner(learned.encode(learned.networks[job[1]]), network)
         return figures(Seen.of(network), Seen.of(learned.decoded("znbrdf", code)))
 
     rows = [(row, _names(row, learned, where)) for row in report.rows if (row.name, row.variant) == ("znbrdf", "refined")]
-    jobs = [(row, name) for row, names in rows for name in names]
-    found = dict(zip(((row.label, name) for row, name in jobs), progress(each(judge, jobs))))
+    jobs = [(row.label, name) for row, names in rows for name in names]
+    found = dict(zip(jobs, run("codes refined anew", judge, jobs)))
     return [_gathered(row, names, [(found[row.label, name], None) for name in names]) for row, names in rows]
 
 
@@ -72,7 +69,7 @@ def _judged(reference: Seen, row: Row, place: int, name: str, learned: Learned) 
 
 
 def _gathered(row: Row, names: list[str], found: list[tuple[dict[str, float], float | None]]) -> Recomputed:
-    by_key = {key: np.array([one[key] for one, _ in found]) for key in KEYS}
+    by_key = {key: np.array([one[key] for one, _ in found]) for key in (*KEYS, *BOUNDS)}
     apart = [difference for _, difference in found if difference is not None]
     return Recomputed(row, tuple(names), by_key, max(apart) if apart else None)
 

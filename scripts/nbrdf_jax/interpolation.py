@@ -2,6 +2,7 @@
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import partial
 
 import numpy as np
 
@@ -9,7 +10,7 @@ from .evaluation import of_network
 from .learned import Learned
 from .library import database
 from .spread import Spread, is_higher_better
-from .walk_quality import KEYS, walk_quality
+from .walk_quality import BOUNDS, KEYS, walk_quality
 from .walks import (
     End,
     Mix,
@@ -19,7 +20,7 @@ from .walks import (
     between_tables,
     between_weights,
 )
-from .workers import each
+from .workers import all_of
 
 OFFSET = 37
 # The latent walks need codes that are refined, which is not repeated here: they are given.
@@ -47,9 +48,9 @@ class Walked:
         """Mean, median, tail and names."""
         return Spread.of(self.pairs, self.figures[key], is_higher_better(key))
 
-    def violations(self, key: str = "albedo_max") -> int:
-        """How many pairs have an albedo above 1."""
-        return int((self.figures[key] > 1).sum())
+    def violations(self, key: str = "albedo_max", limit: float = 1.0) -> int:
+        """How many pairs have an albedo above the limit."""
+        return int((self.figures[key] > limit).sum())
 
 
 def standard_pairs(names: list[str], count: int) -> list[tuple[str, str]]:
@@ -58,21 +59,22 @@ def standard_pairs(names: list[str], count: int) -> list[tuple[str, str]]:
     return [(name, merl[(i + OFFSET) % len(merl)]) for i, name in enumerate(merl[:count])]
 
 
-def recompute(learned: Learned, methods: list[str], codes: Codes, count: int, progress: Callable = iter) -> list[Walked]:
-    """Every method on the first `count` pairs."""
+def recompute(learned: Learned, methods: list[str], codes: Codes, count: int, run: Callable = all_of) -> list[Walked]:
+    """Every method on the first `count` pairs; `run` works on the pairs."""
     pairs = standard_pairs(list(learned.networks), count)
-    if "pca_tables" in methods:
-        _ = learned.tables
-    if "pca_weights" in methods:
-        _ = learned.weights
 
     def walk(pair: tuple[str, str]) -> list[dict[str, float]]:
         ends = tuple(End(of_network(learned.networks[name])) for name in pair)
         return [walk_quality(walk_between(method, pair, ends, learned, codes), ends) for method in methods]
 
-    found = list(progress(each(walk, pairs)))
+    found = run("walks", walk, pairs, partial(learned.prepare, methods), (methods, written_out(codes)))
     labels = tuple(f"{first} > {second}" for first, second in pairs)
-    return [Walked(method, labels, {key: np.array([pair[place][key] for pair in found]) for key in KEYS}) for place, method in enumerate(methods)]
+    return [Walked(method, labels, {key: np.array([pair[place][key] for pair in found]) for key in (*KEYS, *BOUNDS)}) for place, method in enumerate(methods)]
+
+
+def written_out(codes: Codes) -> dict[str, list[tuple[str, list[float]]]]:
+    """Every number, as results depend on it."""
+    return {variant: sorted((name, code.tolist()) for name, code in own.items()) for variant, own in codes.items()}
 
 
 def walk_between(method: str, pair: tuple[str, str], ends: tuple[End, End], learned: Learned, codes: Codes) -> Walk:

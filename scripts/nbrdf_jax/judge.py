@@ -15,6 +15,7 @@ from .ssim import ssim
 DIRECTIONS = ("log_error", "relative_log", "negative_share", "albedo_max", "reciprocity")
 PICTURES = ("mae", "rmse", "psnr", "ssim", "flip", "delta_e_itp")
 KEYS = (*DIRECTIONS, *(f"{light}_{metric}" for light in LIGHTS for metric in PICTURES))
+BOUNDS = ("negative_share_low", "negative_share_high")
 
 
 @dataclass(eq=False)
@@ -47,14 +48,14 @@ class Seen:
 
 
 def figures(reference: Seen, other: Seen) -> dict[str, float]:
-    """All `KEYS`, in their order. `negative_share`, `albedo_max` and `reciprocity` are of `other` alone."""
+    """All `KEYS` and `BOUNDS`. `negative_share`, `albedo_max` and `reciprocity` are of `other` alone."""
     places = reference.places
     cosine = places.light[places.parts["rus32k"], 2]
     f, g = (places.part(seen.f, "rus32k") for seen in (reference, other))
     found = {
         "log_error": metrics.log_error(f, g, cosine),
         "relative_log": metrics.relative_log(f, g, cosine),
-        "negative_share": physics.negative_share(places.part(other.signed, "rus32k")),
+        **dict(zip(("negative_share", *BOUNDS), physics.negative_shares(places.part(other.signed, "rus32k")))),
         "albedo_max": physics.albedo_max(places.part(other.f, "albedo")),
         "reciprocity": physics.reciprocity(g, places.part(other.f, "exchanged")),
     }

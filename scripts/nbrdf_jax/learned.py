@@ -1,6 +1,6 @@
 """What is learned or given once, and shared by all that is recomputed: networks, checkpoint, bases of PCA."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Collection
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -16,6 +16,7 @@ from .library import Library, database
 from .pca import Pca
 from .pca_tables import COMPONENTS, PcaTables
 from .places import Reflectance
+from .workers import silent
 
 
 @dataclass(eq=False)
@@ -25,7 +26,7 @@ class Learned:
     networks: Library
     shared: Library  # the same materials, fitted from one shared start
     model: Autoencoder
-    progress: Callable = iter
+    progress: Callable = silent
 
     @cached_property
     def training(self) -> list[str]:
@@ -43,10 +44,16 @@ class Learned:
         """PCA-32 over the weights of networks from one shared start."""
         return Pca.learn(np.stack([self.of_shared_start(name) for name in self.training]), COMPONENTS)
 
+    def prepare(self, names: Collection[str]) -> None:
+        """Learns the bases of these representations or walks now, so that it is not done twice where work is shared out."""
+        for name in {"pca_tables", "pca_weights"}.intersection(names):
+            _ = self.tables if name == "pca_tables" else self.weights
+
     def joined(self, networks: Library, shared: Library) -> "Learned":
         """With more materials, of which nothing is learned."""
         other = Learned(self.networks | networks, self.shared | shared, self.model, self.progress)
-        other.training, other.tables, other.weights = self.training, self.tables, self.weights
+        other.training = self.training
+        other.__dict__ |= {basis: self.__dict__[basis] for basis in ("tables", "weights") if basis in self.__dict__}
         return other
 
     def of_shared_start(self, name: str) -> np.ndarray:

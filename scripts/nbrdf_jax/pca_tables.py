@@ -1,5 +1,6 @@
 """PCA-32 on tables of ln(f c + 10⁻³), c = cos θ_i floored at .05: the row to beat."""
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cache
 
@@ -11,6 +12,7 @@ from .evaluation import evaluated
 from .pca import Pca
 from .places import Places, Reflectance
 from .table_grid import cell_directions
+from .workers import each, silent
 
 DARKEST, COSINE_FLOOR, COMPONENTS = 1e-3, 0.05, 32
 
@@ -32,9 +34,10 @@ class PcaTables:
     pca: Pca
 
     @classmethod
-    def learn(cls, networks: Float[np.ndarray, "m w"], progress=iter) -> "PcaTables":
-        """From the training materials' networks; `progress` wraps what is walked through."""
-        return cls(Pca.learn(np.stack([tabulate(weights) for weights in progress(networks)]), COMPONENTS))
+    def learn(cls, networks: Float[np.ndarray, "m w"], progress: Callable = silent) -> "PcaTables":
+        """From the training materials' networks."""
+        tables = progress(each(tabulate, list(networks)), "tables of the training materials", len(networks))
+        return cls(Pca.learn(np.stack(list(tables)), COMPONENTS))
 
     def encode(self, weights: Float[np.ndarray, "w"]) -> Float[np.ndarray, "k"]:  # noqa: F821
         """Projection of a network's table."""

@@ -3,6 +3,7 @@
 import json
 import os
 import subprocess
+from collections.abc import Sequence
 from pathlib import Path
 
 import numpy as np
@@ -13,11 +14,16 @@ from .invalid import InvalidFile
 BUILT = Path(os.environ.get("CARGO_TARGET_DIR", REPOSITORY / "target")) / "release" / "nbrdf"
 
 
-def report(binary: Path, arguments: list[str], output: Path) -> Path:
-    """Runs `nbrdf … --json --quiet` and keeps what it prints."""
-    output.parent.mkdir(parents=True, exist_ok=True)
-    output.write_bytes(_run(binary, [*arguments, "--json", "--quiet"]))
-    return output
+def required(binary: Path) -> Path:
+    """The program itself, or what to do where it is not there."""
+    if not binary.is_file():
+        raise InvalidFile(binary, "the program nbrdf", "no such file", "cargo build --release, or give --binary PATH")
+    return binary
+
+
+def report(binary: Path, arguments: Sequence[str]) -> str:
+    """What `nbrdf … --json --quiet` prints."""
+    return _run(binary, [*arguments, "--json", "--quiet"]).decode()
 
 
 def code(binary: Path, name: str, library: Path, checkpoint: Path, is_refined: bool) -> np.ndarray:
@@ -31,11 +37,9 @@ def code(binary: Path, name: str, library: Path, checkpoint: Path, is_refined: b
 
 
 def _run(binary: Path, arguments: list[str]) -> bytes:
-    if not binary.is_file():
-        raise InvalidFile(binary, "the program nbrdf", "no such file", "cargo build --release, or give --binary PATH")
     # Both look for the published networks in the same place.
     environment = os.environ | {"NBRDF_DATA": str(folder())}
-    done = subprocess.run([str(binary), *arguments], capture_output=True, env=environment)
+    done = subprocess.run([str(required(binary)), *arguments], capture_output=True, env=environment)
     if done.returncode:
         raise InvalidFile(f"{binary} {' '.join(arguments)}", "exit code 0", f"{done.returncode}: {done.stderr.decode(errors='replace').strip()}")
     return done.stdout

@@ -1,50 +1,93 @@
 """Two programs side by side: as text for the terminal, and as a page with pictures."""
 
 from collections import Counter
+from collections.abc import Sequence
 from pathlib import Path
 
 from . import page, plots
 from .agreement import Check
-from .claims import Claim
-from .held_out import Recomputed
-from .interpolation import Walked
+from .claims import Claim, Status, of_status
+from .compared import Compared
 from .page import Section
+from .tally import Reason, Tally, reasons_of_checks, reasons_of_claims, tallies, tally
+
+PAGE = "docs/results.md"
+Rows = list[tuple[str, ...]]
 
 
-def table(checks: list[Check], tolerance: float) -> list[tuple[str, ...]]:
+def table(checks: Sequence[Check], tolerance: float) -> Rows:
     """The checks as rows of text, the heading first."""
-    rows = [("row", "key", "ours", "report", "relative", "", "material that differs most")]
-    return rows + [(check.label, check.key, f"{check.ours:.6g}", f"{check.claimed:.6g}", f"{check.difference:.1e}", check.verdict(tolerance), check.worst) for check in checks]
+    rows: Rows = [("row", "key", "found here", "report", "relative difference", "", "material that differs most")]
+    return rows + [(check.label, check.key, f"{check.ours:.6g}", f"{check.claimed:.6g}", _share(check.difference), check.verdict(tolerance), check.worst) for check in checks]
 
 
-def summary(checks: list[Check], tolerance: float) -> list[tuple[str, ...]]:
-    """One row of text for every representation or method, the heading first: the report has all figures."""
-    rows = [("row", "figures", "agree", "largest difference without a reason", "for a reason")]
-    for label in dict.fromkeys(check.label for check in checks):
-        mine = [check for check in checks if check.label == label]
-        plain, excused = ([check for check in mine if (check.difference > tolerance and check.agrees(tolerance)) == is_excused] for is_excused in (False, True))
-        worst = max(plain, key=lambda check: check.difference, default=None)
-        keys = sorted({check.key.split()[0] for check in excused})
-        rows.append((label, str(len(mine)), str(sum(check.agrees(tolerance) for check in mine)), f"{worst.difference:.1e} {worst.key}" if worst else "-", ", ".join(keys) or "-"))
+def counts(found: Sequence[Tally], heading: str, tolerance: float) -> Rows:
+    """Tallies as rows of text, the heading first."""
+    rows: Rows = [(heading, "figures", f"within {tolerance:g}", "largest of these", "where", "further, for a reason", "largest of these", "where", "disagree")]
+    for own in found:
+        wider = (str(own.wider), _share(own.widest), own.widest_where) if own.wider else ("–", "–", "–")
+        rows.append((own.name, str(own.figures), str(own.close), _share(own.largest), own.where if own.largest else "–", *wider, str(own.apart) if own.apart else "–"))
     return rows
 
 
-def aligned(rows: list[tuple[str, ...]]) -> str:
+def reasons(found: Sequence[Reason], heading: str) -> Rows:
+    """Reasons as rows of text, the heading first."""
+    return [(heading, "figures", "largest relative difference", "where"), *((own.reason, str(own.figures), _share(own.largest), own.where) for own in found)]
+
+
+def finding(found: Compared, tolerance: float) -> str:
+    """How many figures agree, in a sentence."""
+    own = tally("all", found.checks, tolerance)
+    return f"{own.close} of {own.figures} figures agree within {tolerance:g}, {own.wider} are further apart for a stated reason, {own.apart} disagree"
+
+
+def claimed(claims: Sequence[Claim]) -> str:
+    """What became of the page's figures, in a sentence."""
+    holds, allowed, fails, unchecked = (len(of_status(claims, status)) for status in Status)
+    return f"{PAGE}: {holds} printed figures hold, {allowed} hold within a stated allowance, {fails} do not hold, {unchecked} were not recomputed"
+
+
+def aligned(rows: Rows) -> str:
     """Rows as text in columns."""
     widths = [max(len(row[column]) for row in rows) for column in range(len(rows[0]))]
     return "\n".join("  ".join(cell.ljust(width) for cell, width in zip(row, widths)).rstrip() for row in rows)
 
 
-def written(folder: Path, rows: list[Recomputed], walks: list[Walked], checks: list[Check], claims: list[Claim], tolerance: float) -> Path:
-    """The report with pictures."""
-    wrong, broken = [check for check in checks if not check.agrees(tolerance)], [claim for claim in claims if claim.found is not None and not claim.holds]
-    unchecked = Counter((claim.where.partition(":")[0], claim.reason) for claim in claims if claim.found is None)
-    summary = f"{len(checks) - len(wrong)} of {len(checks)} figures agree. Of what docs/results.md prints, {sum(claim.holds for claim in claims)} figures hold, {len(broken)} do not, {unchecked.total()} were not recomputed."
-    sections = [Section("Agreement", summary, plots.differences(checks, tolerance), table(checks, tolerance))]
-    pictures = (("Held-out materials", plots.materials(rows)), ("Walks", plots.methods(walks) if walks else None))
-    sections += [Section(title, picture=picture) for title, picture in pictures if picture]
-    if broken:
-        sections.append(Section("Claims that do not hold", rows=[("claim", "printed", "found"), *((claim.where, claim.printed, f"{claim.found:.6g}") for claim in broken)]))
+def printed(found: Compared, claims: Sequence[Claim], tolerance: float) -> str:
+    """Counts of every row and what is wrong: the report has all figures."""
+    wrong = [check for check in found.checks if not check.agrees(tolerance)]
+    parts = [aligned([row[:4] + row[5:7] + row[8:] for row in counts(tallies(found.checks, lambda check: check.label, tolerance), "row", tolerance)])]
+    parts += [f"{found.row.label}: largest difference of a code number, of the largest {found.code_difference:.1e}" for found in found.rows if found.code_difference is not None]
+    parts += [aligned(table(wrong, tolerance))] if wrong else []
+    parts += [f"DOES NOT HOLD  {claim.where}: {claim.finding}" for claim in of_status(claims, Status.FAILS)]
+    if claims:
+        parts.append(claimed(claims))
+        parts += [f"  {own.figures:5} within an allowance: {own.reason}" for own in reasons_of_claims(claims, Status.ALLOWED)]
+        parts += [f"  {own.figures:5} not recomputed: {own.reason}" for own in reasons_of_claims(claims, Status.UNCHECKED)]
+    return "\n".join([*parts, finding(found, tolerance)])
+
+
+def written(folder: Path, found: Compared, claims: Sequence[Claim], tolerance: float) -> Path:
+    """The report with pictures; the path of its page of HTML."""
+    checks = found.checks
+    sections = [Section(finding(found, tolerance), picture=plots.differences(checks, tolerance), rows=counts(tallies(checks, lambda check: check.kind, tolerance), "kind of figure", tolerance))]
+    if why := reasons_of_checks(checks, tolerance):
+        sections.append(Section("Why figures are further apart", rows=reasons(why, "reason")))
+    if claims:
+        sections.append(Section(claimed(claims), rows=[("", "figures"), *((status.value, str(len(of_status(claims, status)))) for status in Status)]))
+    if broken := of_status(claims, Status.FAILS):
+        sections.append(Section("Claims that do not hold", rows=[("claim", "finding"), *((claim.where, claim.finding) for claim in broken)]))
+    if allowed := reasons_of_claims(claims, Status.ALLOWED):
+        sections.append(Section("Claims that hold within a stated allowance", rows=reasons(allowed, "reason")))
+    pictures = (plots.materials(found.rows), plots.methods(found.walks) if found.walks else None)
+    sections += [Section(title, picture=picture) for title, picture in zip(("Held-out materials", "Walks"), pictures) if picture]
+    unchecked = Counter((claim.where.partition(":")[0], claim.reason) for claim in of_status(claims, Status.UNCHECKED))
     if unchecked:
-        sections.append(Section("What was not recomputed", rows=[("section of docs/results.md", "why", "figures"), *((where, reason, str(count)) for (where, reason), count in unchecked.items())]))
+        rows: Rows = [("where on the page", "why", "figures"), *((where, reason, str(count)) for (where, reason), count in unchecked.items())]
+        sections.append(Section("What was not recomputed", rows=rows))
+    sections.append(Section("All figures", rows=table(checks, tolerance)))
     return page.write(folder, "Two implementations, side by side", sections)[1]
+
+
+def _share(difference: float) -> str:
+    return f"{difference:.1e}" if difference else "0"

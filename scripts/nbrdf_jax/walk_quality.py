@@ -13,17 +13,18 @@ KEYS = (
     "end_error", "mix_psnr", "mix_ssim", "mix_rmse", "length_ratio", "step_ratio", "hue_excursion",
     "negative_share", "negative_share_beyond", "albedo_max", "albedo_max_beyond",
 )  # fmt: skip
+BOUNDS = ("negative_share_low", "negative_share_high", "negative_share_beyond_low", "negative_share_beyond_high")
 
 
 def walk_quality(walk: Walk, ends: tuple[End, End]) -> dict[str, float]:
-    """All `KEYS`. Shares and albedos are the worst over t in [0, 1], `_beyond` over t in [−½, 1½]."""
-    pictures, errors, worst = [], [], {True: (0.0, 0.0), False: (0.0, 0.0)}
+    """All `KEYS` and `BOUNDS`. Shares and albedos are the worst over t in [0, 1], `_beyond` over t in [−½, 1½]."""
+    pictures, errors, worst = [], [], {True: (0.0,) * 4, False: (0.0,) * 4}
     for step in range(-BEYOND, STEPS + BEYOND + 1):
         is_between = 0 <= step <= STEPS
         places = walked(is_between)
         signed = walk.at(step / STEPS)(places)
         f = np.maximum(signed, 0)
-        found = physics.negative_share(places.part(signed, "rus32k")), physics.albedo_max(places.part(f, "albedo"))
+        found = *physics.negative_shares(places.part(signed, "rus32k")), physics.albedo_max(places.part(f, "albedo"))
         worst[is_between] = tuple(map(max, worst[is_between], found))
         if is_between:
             pictures.append(places.pixels(f, "studio"))
@@ -44,8 +45,12 @@ def walk_quality(walk: Walk, ends: tuple[End, End]) -> dict[str, float]:
         "length_ratio": smooth.length_ratio,
         "step_ratio": smooth.step_ratio,
         "hue_excursion": smooth.hue_excursion,
-        "negative_share": worst[True][0],
-        "negative_share_beyond": beyond[0],
-        "albedo_max": worst[True][1],
-        "albedo_max_beyond": beyond[1],
+        **_shares(worst[True], ""),
+        **_shares(beyond, "_beyond"),
+        "albedo_max": worst[True][3],
+        "albedo_max_beyond": beyond[3],
     }
+
+
+def _shares(worst: tuple[float, ...], suffix: str) -> dict[str, float]:
+    return {f"negative_share{suffix}{side}": share for side, share in zip(("", "_low", "_high"), worst)}
