@@ -47,10 +47,21 @@ def _markdown(rows: Sequence[Sequence[str]]) -> list[str]:
 
 
 def _html(rows: Sequence[Sequence[str]]) -> str:
-    def line(row: Sequence[str], cell: str) -> str:
-        return "<tr>" + "".join(f"<{cell}>{html.escape(text)}</{cell}>" for text in row) + "</tr>"
+    # Numbers stand to the right where a column holds nothing else.
+    sides = [' class="number"' if all(map(_is_number, column)) else "" for column in zip(*rows[1:])] or [""] * len(rows[0])
 
-    return "<table>" + line(rows[0], "th") + "".join(line(row, "td") for row in rows[1:]) + "</table>"
+    def line(row: Sequence[str], cell: str) -> str:
+        return "<tr>" + "".join(f"<{cell}{side}>{html.escape(text)}</{cell}>" for text, side in zip(row, sides)) + "</tr>"
+
+    return '<div class="wide"><table>' + line(rows[0], "th") + "".join(line(row, "td") for row in rows[1:]) + "</table></div>"
+
+
+def _is_number(text: str) -> bool:
+    try:
+        float(text)
+    except ValueError:
+        return text in ("", "–")
+    return True
 
 
 _PAGE = """<!doctype html>
@@ -59,9 +70,14 @@ _PAGE = """<!doctype html>
 <meta name="viewport" content="width=device-width">
 <title>{title}</title>
 <style>
-body {{ font: 15px/1.5 system-ui, sans-serif; max-width: 70rem; margin: 2rem auto; padding: 0 1rem; background: #fff; color: #222; }}
+body {{ font: 15px/1.5 system-ui, sans-serif; max-width: 76rem; margin: 2rem auto; padding: 0 1rem; background: #fff; color: #222; }}
 table {{ border-collapse: collapse; font-variant-numeric: tabular-nums; }}
-th, td {{ border-bottom: 1px solid #ddd; padding: .2rem .6rem; text-align: left; }}
+th, td {{ border-bottom: 1px solid #ddd; padding: .2rem .6rem; text-align: left; vertical-align: top; }}
+th {{ font-weight: 600; vertical-align: bottom; }}
+.number {{ text-align: right; }} td.number {{ white-space: nowrap; }}
+td:first-child {{ min-width: 15rem; }}
+.wide {{ overflow-x: auto; }}
+h2 {{ margin-top: 2.5rem; font-size: 1.15rem; }}
 figure {{ margin: 1rem 0; }} svg {{ max-width: 100%; height: auto; }}
 </style>
 {body}

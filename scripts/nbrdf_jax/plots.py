@@ -7,51 +7,70 @@ import matplotlib
 import numpy as np
 from matplotlib.figure import Figure
 
-from .agreement import Check
+from .agreement import OF_MEANS, Check
 from .held_out import Recomputed
 from .interpolation import Walked
 
 matplotlib.rcParams |= {"svg.hashsalt": "nbrdf", "font.size": 9, "axes.spines.top": False, "axes.spines.right": False, "axes.titlelocation": "left"}
-ZERO = 1e-16  # where equal figures are drawn
+LEAST, MOST = 1e-12, 10.0  # smaller and larger differences are drawn here
+# Colour and marker of what is shown of every held-out material.
+SHOWN = {
+    ("znbrdf", "unrolled"): ("tab:blue", "o"),
+    ("znbrdf", "feed_forward"): ("tab:cyan", "v"),
+    ("znbrdf", "refined"): ("navy", "^"),
+    ("pca_tables", "projection"): ("tab:orange", "s"),
+    ("pca_tables", "refined"): ("tab:brown", "D"),
+}
 
 
 def differences(checks: Sequence[Check], tolerance: float) -> Figure:
-    """Relative difference of every figure, one row per key."""
-    checks = [check for check in checks if "(its own" not in check.label]
+    """Relative difference of every figure that is recomputed, one row per key."""
+    checks = [check for check in checks if check.kind != OF_MEANS]
     keys = sorted({check.key.split()[0] for check in checks}, reverse=True)
-    figure = Figure(figsize=(8, 0.24 * len(keys) + 1.3), layout="constrained")
+    figure = Figure(figsize=(8, 0.24 * len(keys) + 1.6), layout="constrained")
     axes = figure.subplots()
-    for place, key in enumerate(keys):
-        apart = [max(check.difference, ZERO) for check in checks if check.key.split()[0] == key]
-        axes.plot(apart, [place] * len(apart), "o", markersize=4, alpha=0.5, color="tab:blue")
-    axes.axvline(tolerance, color="tab:red", linewidth=1, label=f"tolerance {tolerance:g}")
-    axes.set(xscale="log", xlabel="relative difference between the two programs [1]", yticks=range(len(keys)), yticklabels=keys)
-    close, disagreeing = sum(check.difference <= tolerance for check in checks), sum(not check.agrees(tolerance) for check in checks)
-    finding = f"{disagreeing} of {len(checks)} figures disagree" if disagreeing else f"{close} of {len(checks)} figures agree within {tolerance:g}, the others for a stated reason"
-    axes.set_title(finding)
-    axes.legend(loc="lower right")
+    close, wider, apart = (
+        ("tab:blue", f"within {tolerance:g}", [check for check in checks if check.is_close(tolerance)]),
+        ("tab:orange", "further apart, for a stated reason", [check for check in checks if check.agrees(tolerance) and not check.is_close(tolerance)]),
+        ("tab:red", "disagree", [check for check in checks if not check.agrees(tolerance)]),
+    )
+    for colour, label, own in (close, wider, apart):
+        if own:
+            places = [keys.index(check.key.split()[0]) for check in own]
+            axes.plot(np.clip(np.nan_to_num([check.difference for check in own], nan=MOST), LEAST, MOST), places, "o", markersize=4, alpha=0.5, color=colour, label=f"{len(own)} {label}")
+    axes.axvline(tolerance, color="gray", linewidth=1)
+    decades = [1e-10, 1e-8, 1e-6, 1e-4, 1e-2, 1.0]
+    axes.set(xscale="log", xlabel="relative difference between the two programs [1]", yticks=range(len(keys)), yticklabels=keys, ylim=(-0.7, len(keys) - 0.3))
+    axes.set_xticks([LEAST, *decades], ["0", *(f"$10^{{{round(np.log10(decade))}}}$" for decade in decades)])
+    axes.grid(axis="y", linewidth=0.3)
+    agree = f"{len(close[2])} of {len(checks)} recomputed figures agree within {tolerance:g}, the others as far as a stated reason goes"
+    figure.suptitle(f"{len(apart[2])} of {len(checks)} recomputed figures disagree" if apart[2] else agree, x=0.01, ha="left", fontsize=11)
+    figure.legend(loc="outside lower center", ncols=3, frameon=False)
     return figure
 
 
 def materials(rows: Sequence[Recomputed]) -> Figure | None:
     """Studio PSNR of every held-out MERL material, ZNBRDF beside PCA-32."""
-    mine = {f"{found.row.name} {found.row.variant}": found for found in rows if found.row.database == "merl" and found.row.name in ("znbrdf", "pca_tables")}
-    ours, base = mine.get("znbrdf unrolled"), mine.get("pca_tables projection")
+    mine = {key: found for key in SHOWN for found in rows if (found.row.database, found.row.name, found.row.variant) == ("merl", *key)}
+    ours, base = mine.get(("znbrdf", "unrolled")), mine.get(("pca_tables", "projection"))
     if ours is None:
         return None
     order = np.argsort(ours.figures["studio_psnr"])
-    figure = Figure(figsize=(8, 4.6), layout="constrained")
+    figure = Figure(figsize=(8, 0.22 * len(order) + 1.4), layout="constrained")
     axes = figure.subplots()
-    for label, found in mine.items():
-        axes.plot(np.array([found.figures["studio_psnr"][found.names.index(ours.names[i])] for i in order]), range(len(order)), "o", label=label, alpha=0.8)
-    axes.set(yticks=range(len(order)), yticklabels=[ours.names[i] for i in order], xlabel="PSNR under studio [dB], higher is better")
+    values = np.array([[found.figures["studio_psnr"][found.names.index(ours.names[i])] for i in order] for found in mine.values()])
+    axes.hlines(range(len(order)), values.min(axis=0), values.max(axis=0), color="lightgray", zorder=0)
+    for key, own in zip(mine, values):
+        colour, marker = SHOWN[key]
+        axes.plot(own, range(len(order)), marker, color=colour, markersize=5, label=f"{key[0]} {key[1].replace('_', '-')}", alpha=0.9)
+    axes.set(yticks=range(len(order)), yticklabels=[ours.names[i] for i in order], xlabel="PSNR under light studio [dB], higher is better", ylim=(-0.7, len(order) - 0.3))
     if base is not None:
         better = sum(a > base.figures["studio_psnr"][base.names.index(name)] for name, a in zip(ours.names, ours.figures["studio_psnr"]))
         title = f"ZNBRDF (unrolled) is closer than PCA-32's projection on {better} of {len(order)} held-out materials"
     else:
         title = f"ZNBRDF is furthest from {ours.names[order[0]]}, of {len(order)} held-out materials"
-    axes.set_title(title)
-    axes.legend(loc="lower right")
+    figure.suptitle(title, x=0.01, ha="left", fontsize=11)
+    figure.legend(loc="outside lower center", ncols=3, frameon=False)
     return figure
 
 

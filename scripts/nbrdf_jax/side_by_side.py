@@ -9,7 +9,7 @@ from .agreement import Check
 from .claims import Claim, Status, of_status
 from .compared import Compared
 from .page import Section
-from .tally import Reason, Tally, reasons_of_checks, reasons_of_claims, tallies, tally
+from .tally import Reason, Tally, by_row, reasons_of_checks, reasons_of_claims, tallies, tally
 
 PAGE = "docs/results.md"
 Rows = list[tuple[str, ...]]
@@ -18,33 +18,47 @@ Rows = list[tuple[str, ...]]
 def table(checks: Sequence[Check], tolerance: float) -> Rows:
     """The checks as rows of text, the heading first."""
     rows: Rows = [("row", "key", "found here", "report", "relative difference", "", "material that differs most")]
-    return rows + [(check.label, check.key, f"{check.ours:.6g}", f"{check.claimed:.6g}", _share(check.difference), check.verdict(tolerance), check.worst) for check in checks]
+    return rows + [(check.label, check.key, f"{check.ours:.6g}", f"{check.claimed:.6g}", share(check.difference), check.verdict(tolerance), check.worst) for check in checks]
 
 
 def counts(found: Sequence[Tally], heading: str, tolerance: float) -> Rows:
     """Tallies as rows of text, the heading first."""
     rows: Rows = [(heading, "figures", f"within {tolerance:g}", "largest of these", "where", "further, for a reason", "largest of these", "where", "disagree")]
     for own in found:
-        wider = (str(own.wider), _share(own.widest), own.widest_where) if own.wider else ("–", "–", "–")
-        rows.append((own.name, str(own.figures), str(own.close), _share(own.largest), own.where if own.largest else "–", *wider, str(own.apart) if own.apart else "–"))
+        wider = (str(own.wider), share(own.widest), own.widest_where) if own.wider else ("–", "–", "–")
+        rows.append((own.name, str(own.figures), str(own.close), share(own.largest), own.where if own.largest else "–", *wider, str(own.apart) if own.apart else "–"))
     return rows
 
 
 def reasons(found: Sequence[Reason], heading: str) -> Rows:
     """Reasons as rows of text, the heading first."""
-    return [(heading, "figures", "largest relative difference", "where"), *((own.reason, str(own.figures), _share(own.largest), own.where) for own in found)]
+    return [(heading, "figures", "largest relative difference", "where"), *((own.reason, str(own.figures), share(own.largest), own.where) for own in found)]
+
+
+def share(difference: float) -> str:
+    """A relative difference."""
+    return f"{difference:.1e}" if difference else "0"
 
 
 def finding(found: Compared, tolerance: float) -> str:
     """How many figures agree, in a sentence."""
-    own = tally("all", found.checks, tolerance)
-    return f"{own.close} of {own.figures} figures agree within {tolerance:g}, {own.wider} are further apart for a stated reason, {own.apart} disagree"
+    return agreed(tally("all", found.checks, tolerance), tolerance)
+
+
+def agreed(own: Tally, tolerance: float) -> str:
+    """A tally in a sentence."""
+    return f"{own.close} of {own.figures} figures agree within {tolerance:g}, {own.wider} are further apart for a stated reason, {own.apart or 'none'} disagree"
 
 
 def claimed(claims: Sequence[Claim]) -> str:
     """What became of the page's figures, in a sentence."""
-    holds, allowed, fails, unchecked = (len(of_status(claims, status)) for status in Status)
-    return f"{PAGE}: {holds} printed figures hold, {allowed} hold within a stated allowance, {fails} do not hold, {unchecked} were not recomputed"
+    return told({status.value: len(of_status(claims, status)) for status in Status})
+
+
+def told(found: dict[str, int]) -> str:
+    """Counts of claims by status, in a sentence."""
+    holds, allowed, fails, unchecked = (found[status.value] for status in Status)
+    return f"{PAGE}: {holds} printed figures hold, {allowed} hold within a stated allowance, {fails or 'none'} do not hold, {unchecked} were not recomputed"
 
 
 def aligned(rows: Rows) -> str:
@@ -56,7 +70,7 @@ def aligned(rows: Rows) -> str:
 def printed(found: Compared, claims: Sequence[Claim], tolerance: float) -> str:
     """Counts of every row and what is wrong: the report has all figures."""
     wrong = [check for check in found.checks if not check.agrees(tolerance)]
-    parts = [aligned([row[:4] + row[5:7] + row[8:] for row in counts(tallies(found.checks, lambda check: check.label, tolerance), "row", tolerance)])]
+    parts = [aligned([row[:4] + row[5:7] + row[8:] for row in counts(by_row(found.checks, tolerance), "row", tolerance)])]
     parts += [f"{found.row.label}: largest difference of a code number, of the largest {found.code_difference:.1e}" for found in found.rows if found.code_difference is not None]
     parts += [aligned(table(wrong, tolerance))] if wrong else []
     parts += [f"DOES NOT HOLD  {claim.where}: {claim.finding}" for claim in of_status(claims, Status.FAILS)]
@@ -87,7 +101,3 @@ def written(folder: Path, found: Compared, claims: Sequence[Claim], tolerance: f
         sections.append(Section("What was not recomputed", rows=rows))
     sections.append(Section("All figures", rows=table(checks, tolerance)))
     return page.write(folder, "Two implementations, side by side", sections)[1]
-
-
-def _share(difference: float) -> str:
-    return f"{difference:.1e}" if difference else "0"

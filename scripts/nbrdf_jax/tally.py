@@ -3,7 +3,7 @@
 from collections.abc import Callable, Sequence
 from dataclasses import asdict, dataclass
 
-from .agreement import Check
+from .agreement import OF_MEANS, Check
 from .claims import Claim, Status, of_status
 from .compared import Compared
 
@@ -20,7 +20,6 @@ class Tally:
     wider: int
     widest: float
     widest_where: str
-    reasons: tuple[str, ...]
     apart: int
 
 
@@ -39,13 +38,18 @@ def tallies(checks: Sequence[Check], of: Callable[[Check], str], tolerance: floa
     return [tally(name, [check for check in checks if of(check) == name], tolerance) for name in dict.fromkeys(map(of, checks))]
 
 
+def by_row(checks: Sequence[Check], tolerance: float) -> list[Tally]:
+    """One for every row of a report and every method, of what is recomputed."""
+    return tallies([check for check in checks if check.kind != OF_MEANS], lambda check: check.label, tolerance)
+
+
 def tally(name: str, checks: Sequence[Check], tolerance: float) -> Tally:
     """Of at least one check."""
     close = [check for check in checks if check.is_close(tolerance)]
     wider = [check for check in checks if check.agrees(tolerance) and not check.is_close(tolerance)]
     (largest, where), (widest, widest_where) = _furthest(close), _furthest(wider)
-    reasons = tuple(dict.fromkeys(check.allowance.reason for check in wider if check.allowance))
-    return Tally(name, len(checks), len(close), largest, where, len(wider), widest, widest_where, reasons, len(checks) - len(close) - len(wider))
+    where, widest_where = (place.removeprefix(f"{name}, ") for place in (where, widest_where))
+    return Tally(name, len(checks), len(close), largest, where, len(wider), widest, widest_where, len(checks) - len(close) - len(wider))
 
 
 def reasons_of_checks(checks: Sequence[Check], tolerance: float) -> list[Reason]:
@@ -78,7 +82,7 @@ def recorded(found: Compared, claims: Sequence[Claim], pairs: int, tolerance: fl
         "pairs": pairs,
         "all": asdict(tally("all", checks, tolerance)),
         "kinds": [asdict(own) for own in tallies(checks, lambda check: check.kind, tolerance)],
-        "rows": [asdict(own) for own in tallies(checks, lambda check: check.label, tolerance)],
+        "rows": [asdict(own) for own in by_row(checks, tolerance)],
         "reasons": [asdict(own) for own in reasons_of_checks(checks, tolerance)],
         "codes": [{"row": own.row.label, "difference": own.code_difference} for own in found.rows if own.code_difference is not None],
         "claims": {status.value: len(of_status(claims, status)) for status in Status},

@@ -127,6 +127,28 @@ def test_a_comparison_of_walks_is_confirmed_and_a_wrong_one_caught(honest, modul
     assert run(honest, module_networks, module_checkpoint, tmp_path, "--compare", str(path)) == 1
 
 
+def test_a_page_that_prints_what_was_found_holds_and_a_doctored_one_is_an_error(honest, module_networks, module_checkpoint, tmp_path, capsys):
+    means = {row["variant"]: row["studio_psnr"]["mean"] for row in json.loads(honest)["rows"] if row["name"] == "znbrdf"}
+    rows = [f"| `znbrdf` {variant.replace('_', '-')} | {mean:.3f} |" for variant, mean in means.items()]
+    against = ["against PCA-32's projection", "The encoder alone against it", "against PCA-32's *refined* codes"]
+    text = ["## In short", "", *(f"- {start}: log_error 1.00 ×." for start in against), "- Nothing else.", "", "## Representations, 20 held-out MERL materials", "", "| representation | studio PSNR |", "| --- | ---: |", *rows, ""]
+    page = tmp_path / "results.md"
+    for content, code, says in (
+        ("\n".join(text), 0, "3 printed figures hold, 0 hold within a stated allowance, none do not hold, 3 were not recomputed"),
+        ("\n".join(text).replace(f"{means['refined']:.3f}", f"{means['refined'] + 0.1:.3f}"), 1, "DOES NOT HOLD"),
+        ("\n".join(text).replace("unrolled", "rolled"), 1, "prints nothing of the kind"),
+    ):
+        page.write_text(content)
+        assert run(honest, module_networks, module_checkpoint, tmp_path, "--results", str(page)) == code
+        assert says in capsys.readouterr().out
+
+
+def test_a_record_is_of_everything(tmp_path, capsys):
+    with pytest.raises(SystemExit) as exit:
+        evaluate.main(["--quick", "--record", str(tmp_path / "agreement.json")])
+    assert exit.value.code == 2 and "everything" in capsys.readouterr().err
+
+
 def test_refining_makes_a_code_better_and_a_refined_one_hardly_worse(module_networks, module_checkpoint):
     read = library.read(module_networks)
     learned = Learned(read, read, autoencoder.read(module_checkpoint))

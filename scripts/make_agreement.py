@@ -1,0 +1,164 @@
+"""Writes docs/agreement.md of docs/agreement.json, docs/mitsuba.json and docs/browser.json: what other programs find.
+
+    python scripts/make_agreement.py
+
+The records are made by `scripts/evaluate.py --record docs/agreement.json`, scripts/mitsuba_check.py and scripts/browser_check.py;
+which programs made golden numbers stands in scripts/make_golden.py and in the files.
+"""
+
+import json
+import sys
+from collections import Counter, defaultdict
+from pathlib import Path
+
+import make_golden
+from nbrdf_jax import side_by_side
+from nbrdf_jax.side_by_side import agreed, share, told
+from nbrdf_jax.tally import Reason, Tally
+from results_table import ROOT, table, wrapped
+
+DOCS = ROOT / "docs"
+# Programs that golden files name, and the packages that are asked for their versions.
+OURS = ("numpy", "jax", "lapack")
+
+
+def read(name: str) -> dict:
+    return json.loads((DOCS / f"{name}.json").read_text(encoding="utf-8"))
+
+
+def counted(rows: list[dict], heading: str, tolerance: float) -> str:
+    """Counts of figures by kind or by row."""
+    return markdown(side_by_side.counts([Tally(**row) for row in rows], heading, tolerance))
+
+
+def reasons(rows: list[dict]) -> str:
+    """Why figures are further apart."""
+    return markdown(side_by_side.reasons([Reason(**row) for row in rows], "reason"))
+
+
+def markdown(rows: side_by_side.Rows) -> str:
+    """Rows, the heading first."""
+    return table(list(rows[0]), [list(row) for row in rows[1:]])
+
+
+def by_row(record: dict) -> str:
+    """The row that is furthest without a reason, as a heading."""
+    worst = max(record["rows"], key=lambda row: row["largest"])
+    codes = max(record["codes"], key=lambda row: row["difference"])
+    return f"without a reason at most {share(worst['largest'])} ({worst['where']}); codes differ by {share(codes['difference'])} of their largest number at most"
+
+
+def distance(row: dict) -> float:
+    """Of a picture: the light that is elsewhere where that is told, else the difference of means."""
+    return next(row[key] for key in ("elsewhere", "difference", "relative_difference") if key in row)
+
+
+def noise(row: dict) -> float:
+    """Standard error of a picture's mean, of the worst channel, relative to the mean."""
+    own = row["noise"]
+    return max(part / max(mean, 1e-9) for part, mean in zip(own, row["mean"])) if isinstance(own, list) else own
+
+
+def pictures(rows: list[dict]) -> tuple[str, str]:
+    """Counts of verdicts in a heading, and their table by model, reference and light."""
+    total = Counter(row["verdict"] for row in rows)
+    verdicts = ["agrees", *sorted(set(total) - {"agrees"})]
+    groups = defaultdict(list)
+    for row in rows:
+        groups[row["model"], row.get("against", "network"), row["light"]].append(row)
+    body = []
+    for kind, group in groups.items():
+        worst, counts = max(group, key=distance), Counter(row["verdict"] for row in group)
+        body.append([*(f"`{part}`" for part in kind), str(len(group)), *(str(counts[verdict]) for verdict in verdicts), share(distance(worst)), worst["material"], share(max(map(noise, group)))])
+    heading = f"{total['agrees']} of {len(rows)} comparisons agree" + "".join(f", {total[verdict]} {verdict}" for verdict in verdicts[1:])
+    return heading, table(["in Mitsuba", "against", "light", "pictures", *verdicts, "furthest", "of", "largest noise"], body)
+
+
+def numbers(content: object) -> int:
+    """How many numbers a golden file holds."""
+    if isinstance(content, dict):
+        return sum(map(numbers, content.values()))
+    return sum(map(numbers, content)) if isinstance(content, list) else int(isinstance(content, int | float) and not isinstance(content, bool))
+
+
+def by_others() -> list[list[str]]:
+    """Golden files that programs of others made: file, programs and versions, what, how many numbers."""
+    rows = []
+    for which, file in make_golden.FILES.items():
+        if file.by.lower().startswith(OURS):
+            continue
+        content = json.loads((make_golden.FOLDER / file.name).read_text(encoding="utf-8"))
+        versions = ", ".join(f"{name} {version}" for name, version in content.get("with", {}).items() if name not in OURS)
+        rows.append([f"[{file.name}](../tests/golden/{file.name})", versions or content["about"].partition(" by ")[2], file.about.partition(";")[0], str(numbers(content)), f"`make_golden.py {which}`"])
+    return rows
+
+
+def page() -> str:
+    record, mitsuba, browser = read("agreement"), read("mitsuba"), read("browser")
+    heading, rendered = pictures(mitsuba["rows"])
+    drawn, golden = browser["rows"], by_others()
+    exact = sum(row["largest_step"] == 0 for row in drawn)
+    tolerance = record["tolerance"]
+    commands = [record["command"], mitsuba["command"], browser["command"], "python scripts/make_golden.py", "python scripts/make_agreement.py"]
+    return wrapped(f"""# Agreement: what other programs find
+
+Four programs that share no code with `nbrdf` are asked for the same figures: a second implementation in JAX and NumPy
+(`scripts/nbrdf_jax`, written from the papers and the protocol), Mitsuba 3, a browser, and the programs that made golden numbers.
+
+## JAX: {agreed(Tally(**record["all"]), tolerance)}
+
+Of the reports of `nbrdf evaluate` (all held-out materials of MERL and RGL) and `nbrdf compare` ({record["pairs"]} pairs of MERL materials, 16 families),
+recomputed from networks, checkpoint and codes. *Within*: relative difference, of what the program says. A figure that is further apart agrees
+only where a reason is stated, and only as far as that goes.
+
+{counted(record["kinds"], "kind of figure", tolerance)}
+
+The reasons, and the furthest apart that each admits:
+
+{reasons(record["reasons"])}
+
+## JAX, row by row: {by_row(record)}
+
+Held-out materials by representation, walks and families by interpolation.
+
+{counted(record["rows"], "row", tolerance)}
+
+## {told(record["claims"])}
+
+A printed figure holds where what was found rounds to it. What holds only within an allowance:
+
+{reasons(record["claims_allowed"])}
+
+What was not recomputed:
+
+{table(["why", "figures"], [[row["reason"], str(row["figures"])] for row in record["claims_not_recomputed"]])}
+
+## Mitsuba {mitsuba["mitsuba"]}: {heading}
+
+Spheres of {len(mitsuba["materials"])} materials in {" and ".join(f"`{name}`" for name in mitsuba["variants"])}; [exports.md](exports.md) says what is compared with what, and when a picture agrees.
+
+{rendered}
+
+## In a browser: {exact} of {len(drawn)} pictures are the same to the bit, all at least {min(row["psnr"] for row in drawn):.1f} dB
+
+{browser["browser"].split(" built")[0]} draws the exported pages of {len({row["material"] for row in drawn})} materials under both lights; required are {browser["least_psnr"]:.0f} dB.
+
+## Golden numbers: {len(golden)} of {len(make_golden.FILES)} files are by programs of others
+
+{table(["file", "by", "what", "numbers", "command"], golden)}
+
+All other files are by NumPy, LAPACK or JAX, from the papers; [tests/golden/README.md](../tests/golden/README.md) lists them. The tests of Rust compare with those above.
+
+## Commands
+
+{chr(10).join(f"    {command}" for command in dict.fromkeys(commands))}
+""")
+
+
+def main(out: Path = DOCS / "agreement.md") -> int:
+    out.write_text(page(), encoding="utf-8")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
