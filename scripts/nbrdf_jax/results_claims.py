@@ -77,10 +77,10 @@ def _held_out(table: Table, database: str, known: Rows) -> Iterator[Claim]:
 
 
 def _names(label: str, printed: list[str], figures: dict[str, float], worst: tuple[str, ...]) -> Iterator[Claim]:
-    """Names in the order of their figures: a name is right where its figure is that of its rank, in three digits."""
+    """Names in the order of their figures: a name is right where its figure is that of its rank, in three digits or nine decimals."""
     for place, (name, expected) in enumerate(zip(printed, worst)):
         if name in figures:
-            yield Claim(f"{label}, place {place + 1}: {name}", f"{figures[expected]:.2e}", figures[name])
+            yield Claim(f"{label}, place {place + 1}: {name}", f"{round(figures[expected], 9):.2e}", round(figures[name], 9))
         else:
             yield absent(f"{label}, place {place + 1}: {name}")
 
