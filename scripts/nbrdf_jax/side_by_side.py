@@ -58,7 +58,7 @@ def claimed(claims: Sequence[Claim]) -> str:
 def told(found: dict[str, int]) -> str:
     """Counts of claims by status, in a sentence."""
     holds, allowed, fails, unchecked = (found[status.value] for status in Status)
-    return f"{PAGE}: {holds} printed figures hold, {allowed} hold within a stated allowance, {fails or 'none'} do not hold, {unchecked} were not recomputed"
+    return f"{PAGE}: {holds} printed figures hold, {allowed} hold within a stated allowance, {fails} do not hold, {unchecked} were not recomputed"
 
 
 def aligned(rows: Rows) -> str:

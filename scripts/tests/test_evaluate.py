@@ -134,7 +134,7 @@ def test_a_page_that_prints_what_was_found_holds_and_a_doctored_one_is_an_error(
     text = ["## In short", "", *(f"- {start}: log_error 1.00 ×." for start in against), "- Nothing else.", "", "## Representations, 20 held-out MERL materials", "", "| representation | studio PSNR |", "| --- | ---: |", *rows, ""]
     page = tmp_path / "results.md"
     for content, code, says in (
-        ("\n".join(text), 0, "3 printed figures hold, 0 hold within a stated allowance, none do not hold, 3 were not recomputed"),
+        ("\n".join(text), 0, "3 printed figures hold, 0 hold within a stated allowance, 0 do not hold, 3 were not recomputed"),
         ("\n".join(text).replace(f"{means['refined']:.3f}", f"{means['refined'] + 0.1:.3f}"), 1, "DOES NOT HOLD"),
         ("\n".join(text).replace("unrolled", "rolled"), 1, "prints nothing of the kind"),
     ):
