@@ -71,7 +71,7 @@ def quality(binary: Path, steps: int, seeds: int) -> dict:
             own = folder / str(seed)
             own.mkdir()
             rows += fit_quality.fits(binary, sources, own, seed, steps, lambda arguments: fit(arguments, os.cpu_count() or 1))
-    return {"command": "python scripts/scale_fit.py quality" + _unless("steps", steps) + _unless("seeds", seeds), "steps": steps, "seeds": seeds, **fit_quality.compared(rows)}
+    return {"command": "python scripts/scale_fit.py quality" + _unless("steps", steps) + _unless("seeds", seeds), "steps": steps, "seeds": seeds, **fit_quality.compared(rows), "fits": rows}
 
 
 def _unless(key: str, value: int) -> str:
@@ -82,10 +82,15 @@ def _unless(key: str, value: int) -> str:
 def run(arguments: argparse.Namespace) -> int:
     """Exit code."""
     parts = {"scaling": lambda: scaling(arguments.most), "quality": lambda: quality(arguments.binary, arguments.steps, arguments.seeds)}
-    measured = {part: parts[part]() for part in arguments.parts or PARTS}
-    kept = json.loads(arguments.output.read_text()) if arguments.output.is_file() else {}
-    content = {"schema": 2} | {part: measured.get(part, kept.get(part)) for part in PARTS}
-    whole(arguments.output, (json.dumps(content, indent=1) + "\n").encode())
+    wanted = arguments.parts or PARTS
+    if "quality" in wanted:
+        program.required(arguments.binary)
+    for part in wanted:
+        measured = parts[part]()
+        # Each as soon as it is there: the other takes minutes, and may fail.
+        kept = json.loads(arguments.output.read_text()) if arguments.output.is_file() else {}
+        content = {"schema": 2} | {other: kept.get(other) for other in PARTS} | {part: measured}
+        whole(arguments.output, (json.dumps(content, indent=1) + "\n").encode())
     print(arguments.output)
     return 0
 

@@ -30,7 +30,7 @@ def files(binary: Path, folder: Path) -> list[Path]:
     for database, names in TABLES.items():
         for name in names:
             stem = f"{name.removeprefix('rgl/')}_rgb" if database == "rgl" else name
-            program.report(binary, ["export", name, "--library", str(data.archive(database)), "--to", "bsdf", "-o", str(folder / stem)], folder / "export.json")
+            program.report(binary, ["export", name, "--library", str(data.archive(database)), "--to", "bsdf", "-o", str(folder / stem)])
     return measured + sorted(folder.glob("*.bsdf"))
 
 
@@ -44,7 +44,7 @@ def fits(binary: Path, sources: Sequence[Path], folder: Path, seed: int, steps: 
         networks = dict(zip(PROGRAMS, (folder / f"{source.stem}-{which}.safetensors" for which in ("first", "second"))))
         save_file({"weights": tensors[name]}, networks[PROGRAMS[0]], metadata=networks_metadata())
         fit = ["fit", str(source), "--steps", str(steps), "--seed", str(seed), "--threads", "1", "-o", str(networks[PROGRAMS[1]])]
-        program.report(binary, fit, folder / f"{source.stem}.json")
+        program.report(binary, fit)
         return [{"material": name, "by": by, "seed": seed, **_figures(binary, source, network)} for by, network in networks.items()]
 
     with ThreadPoolExecutor(os.cpu_count()) as pool:
@@ -67,7 +67,5 @@ def compared(rows: Sequence[dict]) -> dict[str, object]:
 
 
 def _figures(binary: Path, source: Path, network: Path) -> dict[str, float]:
-    path = network.with_suffix(".json")
-    program.report(binary, ["info", str(source), "--against", str(network)], path)
-    against = json.loads(path.read_text())["against"]["figures"]
+    against = json.loads(program.report(binary, ["info", str(source), "--against", str(network)]))["against"]["figures"]
     return {key: against[key] for key in KEYS}

@@ -5,7 +5,10 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from statistics import mean, stdev, variance
 
+from scipy.stats import t
+
 SIGMAS = 2.0  # standard errors that a difference must exceed: chance alone does so once in twenty times, with few seeds once in ten
+CONFIDENCE = 0.95  # of intervals over materials
 
 
 @dataclass(frozen=True)
@@ -40,7 +43,7 @@ class TwoSamples:
 
 
 def overall_ratio(samples: Sequence[TwoSamples]) -> dict[str, float]:
-    """Geometric mean over materials of first / second, and the interval of `SIGMAS` standard errors over materials, of two or more."""
+    """Geometric mean over materials of first / second, and its interval of `CONFIDENCE` over materials, of two or more."""
     logs = [math.log(mean(pair.first) / mean(pair.second)) for pair in samples]
     return {key: math.exp(value) for key, value in _interval(logs).items()}
 
@@ -57,5 +60,7 @@ def overall_spread(samples: Sequence[TwoSamples]) -> dict[str, float]:
 
 
 def _interval(values: Sequence[float]) -> dict[str, float]:
-    middle, half = mean(values), SIGMAS * stdev(values) / math.sqrt(len(values))
+    # Student's t: few materials say less than many.
+    quantile = float(t.ppf((1 + CONFIDENCE) / 2, len(values) - 1))
+    middle, half = mean(values), quantile * stdev(values) / math.sqrt(len(values))
     return {"mean": middle, "low": middle - half, "high": middle + half}
