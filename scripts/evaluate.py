@@ -114,6 +114,9 @@ def main(argv: list[str] | None = None) -> int:
     arguments = parser.parse_args(argv)
     if arguments.record and (arguments.quick or arguments.report or arguments.compare):
         parser.error("--record is of everything: without --quick, --report and --compare")
+    others = ("networks", "shared", "checkpoint", "results", "tolerance")
+    if arguments.record and any(getattr(arguments, name) != parser.get_default(name) for name in others):
+        parser.error(f"--record is of what is published: without {', '.join(f'--{name}' for name in others)}")
     arguments.refine |= not arguments.quick and arguments.report is None
     if arguments.results is None and arguments.report is None and RESULTS.is_file():
         arguments.results = RESULTS

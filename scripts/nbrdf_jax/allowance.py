@@ -1,4 +1,8 @@
-"""How far apart two programs may be where that is more than rounding, and why: every larger tolerance stands here."""
+"""How far apart two programs may be where that is more than rounding, and why: every larger tolerance stands here.
+
+Those of quadratures and of rounding are bounds. Those of fits and of other optimizers are what a first run found, rounded up: they
+notice when something changes, and are no proof that two programs do the same.
+"""
 
 from dataclasses import dataclass
 
@@ -6,7 +10,7 @@ from .physics import NEAR_0
 
 TOLERANCE = 1e-4  # relative; of everything that is given no reason
 QUADRATURES = "two quadratures of at least 4096 directions each"
-NEAR_1 = 1e-2  # an albedo this close to 1 is above it or not by its quadrature
+NEAR_1 = 5e-3  # an albedo this close to 1 is above it or not by its quadrature
 SIGNS = f"values within {NEAR_0:g} of 0 have the sign of their rounding"
 EDGE = f"albedos within {NEAR_1:g} of 1 are above it or not: {QUADRATURES}"
 ROUNDING = "0 but for rounding"

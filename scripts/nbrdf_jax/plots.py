@@ -7,9 +7,10 @@ import matplotlib
 import numpy as np
 from matplotlib.figure import Figure
 
-from .agreement import OF_MEANS, Check
+from .agreement import Check
 from .held_out import Recomputed
 from .interpolation import Walked
+from .tally import recomputed
 
 matplotlib.rcParams |= {"svg.hashsalt": "nbrdf", "font.size": 9, "axes.spines.top": False, "axes.spines.right": False, "axes.titlelocation": "left"}
 LEAST, MOST = 1e-12, 10.0  # smaller and larger differences are drawn here
@@ -25,7 +26,7 @@ SHOWN = {
 
 def differences(checks: Sequence[Check], tolerance: float) -> Figure:
     """Relative difference of every figure that is recomputed, one row per key."""
-    checks = [check for check in checks if check.kind != OF_MEANS]
+    checks = recomputed(checks)
     keys = sorted({check.key.split()[0] for check in checks}, reverse=True)
     figure = Figure(figsize=(8, 0.24 * len(keys) + 1.6), layout="constrained")
     axes = figure.subplots()

@@ -9,7 +9,7 @@ from .agreement import Check
 from .claims import Claim, Status, of_status
 from .compared import Compared
 from .page import Section
-from .tally import Reason, Tally, by_row, reasons_of_checks, reasons_of_claims, tallies, tally
+from .tally import Reason, Tally, by_row, reasons_of_checks, reasons_of_claims, recomputed, tallies, tally
 
 PAGE = "docs/results.md"
 Rows = list[tuple[str, ...]]
@@ -42,7 +42,7 @@ def share(difference: float) -> str:
 
 def finding(found: Compared, tolerance: float) -> str:
     """How many figures agree, in a sentence."""
-    return agreed(tally("all", found.checks, tolerance), tolerance)
+    return agreed(tally("all", recomputed(found.checks), tolerance), tolerance)
 
 
 def agreed(own: Tally, tolerance: float) -> str:
