@@ -7,19 +7,21 @@ scripts/make_exports.sh makes all of them anew.
 
 import json
 import sys
-from collections import defaultdict
+from collections import Counter, defaultdict
 from pathlib import Path
 
-from results_table import ROOT, number, table, wrapped
+from exports_fits import section as fits
+from results_table import ROOT, fine_percent, number, table, wrapped
 
 DOCS = ROOT / "docs"
 LIGHTS = {
     "point": "one lamp",
     "studio": "eleven lamps",
     "drawn_by_material": "a map, directions drawn by the material",
-    "drawn_by_map": "a map, directions drawn by the map",
+    "drawn_by_both": "a map, directions drawn by both",
 }
 MODELS = {"bsdf": "`.bsdf` in `measured`", "scene": "the exported scene", "plugin": "networks, `mitsuba_nbrdf.py`"}
+AGAINST = {"network": "the network", "table": "the same table"}
 
 
 def read(name: str) -> dict:
@@ -49,53 +51,66 @@ def forms(record: dict) -> str:
     return table(head, rows)
 
 
-FITS = {"gltf": "glTF", "open_pbr": "OpenPBR", "principled": "Principled"}
-DATABASES = {"merl": "MERL", "rgl": "RGL"}
-
-
-def fits(record: dict) -> str:
-    """How far standard shading models are, for every database and model."""
-    rows = []
-    for database, models in record["databases"].items():
-        for model, row in models.items():
-            error, relative, psnr, itp = (row[key] for key in ("log_error", "relative_log", "studio_psnr", "studio_delta_e_itp"))
-            rows.append([
-                f"{FITS[model]}, {DATABASES[database]}", str(row["materials"]), number(error["mean"], 4), number(error["max"], 4), number(relative["mean"], 3),
-                number(psnr["mean"], 1), number(psnr["max"], 1), number(itp["mean"], 1), number(itp["max"], 1), ", ".join(psnr["worst"][:2]),
-            ])  # fmt: skip
-    head = ["model, database", "materials", "log_error, mean", "worst", "relative_log, mean", "studio PSNR, mean", "worst", "ΔE_ITP, mean", "worst", "worst two by PSNR"]
-    return table(head, rows)
-
-
-def parts(record: dict) -> str:
-    """How many materials of MERL use which part of each model."""
-    of = lambda row: ", ".join(f"{part} {count}" for part, count in sorted(row["parts"].items(), key=lambda item: -item[1]) if part)  # noqa: E731
-    told = [f"{FITS[model]}: {of(row) or 'none'}" for model, row in record["databases"]["merl"].items()]
-    return "; ".join(told)
-
-
-def best_fit(record: dict) -> tuple[str, dict]:
-    """The model that is closest to MERL's materials in the mean, by pictures."""
-    return max(record["databases"]["merl"].items(), key=lambda item: item[1]["studio_psnr"]["mean"])
+def distance(row: dict) -> float:
+    """Of the light that is elsewhere where there is no noise, of the means where there is."""
+    return row.get("elsewhere", row["difference"])
 
 
 def renderers(record: dict) -> str:
-    """The largest relative difference of picture means for every model and light."""
-    found = defaultdict(list)
+    """Verdicts and largest differences of every model under every light."""
+    kinds = defaultdict(list)
     for row in record["rows"]:
-        found[row["model"], row["light"]].append(row)
+        kinds[row["model"], row["against"], row["light"]].append(row)
+    order = lambda kind: [list(names).index(name) for names, name in zip((MODELS, AGAINST, LIGHTS), kind)]  # noqa: E731
     rows = []
-    for (model, light), group in sorted(found.items(), key=lambda item: (list(MODELS).index(item[0][0]), list(LIGHTS).index(item[0][1]))):
-        worst = max(group, key=lambda row: row["relative_difference"])
-        noise = max(part / max(mean, 1e-9) for row in group for part, mean in zip(row["noise"], row["mean"]))
-        agree = sum(row["verdict"] == "agrees" for row in group)
-        rows.append([MODELS[model], LIGHTS[light], f"{agree} of {len(group)}", percent(worst["relative_difference"]), worst["material"], percent(noise)])
-    return table(["in Mitsuba", "light", "agree", "largest difference of means", "of", "largest noise"], rows)
+    for model, against, light in sorted(kinds, key=order):
+        group = kinds[model, against, light]
+        worst = max(group, key=distance)
+        counts = [str(sum(row["verdict"] == verdict for row in group)) for verdict in ("agrees", "too noisy to tell", "apart")]
+        noise = max(row["noise"] for row in group)
+        rows.append([
+            MODELS[model], AGAINST[against], LIGHTS[light], *counts, fine_percent(distance(worst)), worst["material"],
+            fine_percent(noise) if noise else "none",
+        ])  # fmt: skip
+    return table(["in Mitsuba", "against", "light", "agree", "too noisy", "apart", "largest difference", "of", "largest noise"], rows)
+
+
+def in_mitsuba(record: dict) -> str:
+    """The section of the comparison with Mitsuba, whatever it found."""
+    verdicts = Counter(row["verdict"] for row in record["rows"])
+    noisy, apart = verdicts["too noisy to tell"], verdicts["apart"]
+    finding = f"{verdicts['agrees']} of {len(record['rows'])} comparisons agree, {apart or 'none'} {'is' if apart == 1 else 'are'} apart, {noisy or 'none'} too noisy to tell"
+    lamps, around = record["tolerance"]["lamps"], record["tolerance"]["map"]
+    tables = [row for row in record["rows"] if row["model"] == "bsdf" and "elsewhere" in row]
+    stored, read = (max(distance(row) for row in tables if row["against"] == against) for against in AGAINST)
+    cause = ": what differs is what the table's resolution leaves out, not how it is read" if read < 0.1 * stored else ""
+    every = ""
+    if record.get("all"):
+        count, worst = record["all"]["materials"], record["all"]["worst"]
+        every = f"""
+The tables of all {count} materials under both lamps in `{record["all"]["variant"]}`: {len(record["all"]["apart"]) or "none"} of {record["all"]["comparisons"]} comparisons apart; the furthest from its
+network is `{worst["network"]["material"]}` ({fine_percent(distance(worst["network"]))}), from the same table as nbrdf reads it `{worst["table"]["material"]}` ({fine_percent(distance(worst["table"]))}).
+"""
+    return f"""## In Mitsuba {record["mitsuba"]}: {finding}
+
+Spheres of {len(record["materials"])} materials ({", ".join(record["materials"])}) in {" and ".join(f"`{name}`" for name in record["variants"])} against `nbrdf render`
+(`{record["command"]}`; [mitsuba.json](mitsuba.json)). Under lamps both send one ray through the middle of each pixel, and Mitsuba lights
+one lamp at a time, those of the exported scene too: there is no noise, and *difference* is the share of the light that is in another place. Tables
+are shown in the size and under the lamps that their resolution is chosen by; the map is a light that it is not chosen by. Agreed is
+within {fine_percent(lamps["table"])} for a table against the network that it was made of, which is what an export allows, and within {fine_percent(lamps["same"])} for
+the same reflectance in both. Under a map, where light is drawn by the material, or by material and map together, *difference* is that of the means;
+agreed is where it is within {fine_percent(around["table"])} or {fine_percent(around["same"])} and {record["sigmas"]:.0f} standard errors, and blocks of the picture within theirs. Where the
+standard error (*noise*) is above {fine_percent(record["most_noise"])} of the mean, it is too noisy to tell, and counts as neither.
+
+{renderers(record)}
+
+Under lamps tables in Mitsuba are within {fine_percent(stored)} of their networks, and within {fine_percent(read)} of the same tables as nbrdf reads
+them{cause}.
+{every}"""
 
 
 def page() -> str:
     exports, parametric, mitsuba, browser = (read(name) for name in ("exports", "parametric", "mitsuba", "browser"))
-    closest, closest_row = best_fit(parametric)
     drawn = browser["rows"]
     exact = sum(row["largest_step"] == 0 for row in drawn)
     least = min(drawn, key=lambda row: row["psnr"])
@@ -117,25 +132,8 @@ Of source code (`glsl`, `hlsl`, `wgsl`, `c`, `rs`, `html`) these are its numbers
 directions of the metrics and at the edges of the coordinates: each value must be within 1e-4 of the library's, relative to it or to a hundredth
 of a white Lambertian. C is compiled as C99 and as C++11, HLSL by glslang; WGSL, GLSL and HLSL run in a Vulkan driver in software.
 
-## As parameters of standard models: {FITS[closest]} is closest, {number(closest_row["studio_psnr"]["mean"], 0)} dB in the mean, {number(closest_row["studio_psnr"]["max"], 0)} dB at worst
-
-For tools that accept nothing else: every published network fitted by each model (`{parametric["command"]}`;
-[parametric.json](parametric.json)), judged as the specification evaluates those numbers. Each export comes with its own error and a picture
-of the difference. The fuzz of OpenPBR and the sheen of Principled are not fitted: tools take them from tables of their own, which nothing
-here could be checked against; glTF's sheen is a formula, and is.
-
 {fits(parametric)}
-
-Parts beyond base, metalness and roughness that MERL's materials use, by count: {parts(parametric)}.
-
-## In Mitsuba {mitsuba["mitsuba"]}: {sum(row["verdict"] == "agrees" for row in mitsuba["rows"])} of {len(mitsuba["rows"])} pictures agree
-
-Spheres of {len(mitsuba["materials"])} materials ({", ".join(mitsuba["materials"])}) in {" and ".join(f"`{name}`" for name in mitsuba["variants"])} against `nbrdf render`
-(`{mitsuba["command"]}`; [mitsuba.json](mitsuba.json)). A picture agrees where the difference of means is within {percent(mitsuba["tolerance"]["bsdf"])} for
-tables and {percent(mitsuba["tolerance"]["plugin"])} for networks, plus {mitsuba["sigmas"]:.0f} standard errors: where noise is large, that says little.
-
-{renderers(mitsuba)}
-
+{in_mitsuba(mitsuba)}
 ## In a browser: at least {least["psnr"]:.1f} dB
 
 Pages of {materials} materials under both lights, drawn by {browser["browser"].split(" built")[0]} by software, against `nbrdf render`, {browser["size"]} × {browser["size"]} pixels

@@ -132,7 +132,11 @@ def reflectance(layers: list[tuple[np.ndarray, np.ndarray]], view: np.ndarray, l
     across = np.where(sine > 0, half[:, 1] / np.maximum(sine, 1e-20), 0.0)
     x, y = light[:, 0] * along + light[:, 1] * across, light[:, 1] * along - light[:, 0] * across
     inputs = (sine, 0 * sine, cosine, x * cosine - light[:, 2] * sine, y, x * sine + light[:, 2] * cosine)
-    signal = np.stack(inputs, axis=1)
+    return forward(layers, np.stack(inputs, axis=1))
+
+
+def forward(layers: list[tuple[np.ndarray, np.ndarray]], signal: np.ndarray) -> np.ndarray:
+    """f_r [..., 3] of inputs [..., 6]."""
     (first, second, third) = layers
     signal = np.maximum(signal @ first[0] + first[1], 0)
     signal = np.maximum(signal @ second[0] + second[1], 0)
@@ -229,25 +233,27 @@ class Nbrdf(mi.BSDF):
         if self.is_scalar:
             if not active:
                 return mi.Color3f(0)
-            value = reflectance(self.layers, *(np.array([vector], np.float32).reshape(1, 3) for vector in (si.wi, wo)))[0]
-            return mi.Color3f([float(channel) * cosine for channel in value])
-        return dr.select(active, self._network(si.wi, wo) * cosine, 0)
+            value = forward(self.layers, np.array(self._inputs(si.wi, mi.Vector3f(wo)), np.float32))
+            return mi.Color3f((value * cosine).tolist())
+        return dr.select(active, self._network(self._inputs(si.wi, wo)) * cosine, 0)
 
-    def _network(self, view, light):
-        """The same as `reflectance`, in the kernel."""
+    def _inputs(self, view, light):
+        """Of the network; the second is 0."""
         half = dr.normalize(view + light)
         sine = dr.sqrt(dr.square(half.x) + dr.square(half.y))
         scale = dr.select(sine > 0, dr.rcp(dr.maximum(sine, 1e-20)), 0)
         along, across = dr.select(sine > 0, half.x * scale, 1), half.y * scale
         x, y = light.x * along + light.y * across, light.y * along - light.x * across
-        signal = [sine, None, half.z, x * half.z - light.z * sine, y, x * sine + light.z * half.z]
+        return [sine, 0, half.z, x * half.z - light.z * sine, y, x * sine + light.z * half.z]
+
+    def _network(self, signal):
+        """The same as `forward`, in the kernel."""
         for index, (kernel, bias) in enumerate(self.layers):
             outputs = []
             for column in range(kernel.shape[1]):
                 total = mi.Float(float(bias[column]))
                 for row, value in enumerate(signal):
-                    if value is not None:
-                        total = dr.fma(value, float(kernel[row, column]), total)
+                    total = dr.fma(value, float(kernel[row, column]), total)
                 outputs.append(dr.maximum(total, 0) if index < 2 else total)
             signal = outputs
         # exp(y) − 1 loses its digits where y is small, and these are the dark materials.

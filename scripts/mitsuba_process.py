@@ -13,13 +13,14 @@ import numpy as np
 LLVM = "import mitsuba as mi; mi.set_variant('llvm_ad_rgb'); import drjit as dr; assert dr.sum(dr.arange(mi.Float, 8) + 1)[0] == 36"
 
 
-def run_job(job: dict, scratch: Path, library: str | None) -> dict[str, np.ndarray]:
-    path = scratch / "job.json"
+def run_job(job: dict, library: str | None) -> dict[str, np.ndarray]:
+    """The pictures that `mitsuba_render.py` makes of a job; its files lie beside the job's output."""
+    path = Path(job["output"]).with_suffix(".json")
     path.write_text(json.dumps(job))
     environment = os.environ | ({"DRJIT_LIBLLVM_PATH": library} if library else {})
     subprocess.run([sys.executable, str(Path(__file__).with_name("mitsuba_render.py")), str(path)], check=True, env=environment)
     with np.load(job["output"]) as pictures:
-        return {name: pictures[name].astype(np.float64) for name in pictures.files}
+        return {name: pictures[name] for name in pictures.files}
 
 
 def find_llvm() -> str | None:

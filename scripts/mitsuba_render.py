@@ -2,84 +2,110 @@
 
     python scripts/mitsuba_render.py JOB.json
 
-JOB.json: `variant`, `output` (.npz), `materials` (name, bsdf, scene, plugin as a dict of parameters), `lamps` (name → directions
-towards the lamp and irradiance), `environment` (.exr), `effort` of each model (sizes and samples), `seeds`, `is_around` (also
-under the map), `narrowest` (width of the lobe that a map or a coarse picture still finds). The output holds arrays
-[seeds, size, size, 3] named material/model/light, model `bsdf`, `plugin` or, for the scene that comes with an export, `scene`.
+JOB.json: `variant`, `output` (.npz), `materials` (`name`, and of `bsdf`, `scene`, `plugin` those that there are: a table, a scene,
+parameters of the plugin), `lamps` (name → directions towards the lamp and irradiance), `environment` (.exr) or null, `effort` of
+`bsdf` and `plugin` (`lamps` is the size of pictures under lamps; `size`, `samples`, `most_passes` and `ways` are for the map),
+`target` (noise to stop at). The output holds arrays [passes, size, size, 3] named material/model/light.
+
+Under lamps rays go through the middles of pixels, as those of `nbrdf render` do, and lamps are lit one by one: nothing is left
+to chance, and one pass is exact. Under a map samples are those of orthogonal arrays (W. Jarosz et al., *Orthogonal Array Sampling
+for Monte Carlo Rendering*, 2019), several times less noisy than independent ones; passes are added until noise is at the target.
 """
 
 from __future__ import annotations
 
 import json
 import sys
+import xml.etree.ElementTree as ElementTree
+from copy import deepcopy
 from pathlib import Path
 
 import mitsuba as mi
 import numpy as np
 
+from mitsuba_judge import LEAST_PASSES, relative_noise
+
 RADIUS = 0.99
+# One sample, in the middle of the pixel.
+MIDDLE = {"type": "stratified", "jitter": False, "sample_count": 1}
+# Light of either's directions alone, or of both by the balance heuristic: samples of the material and of the map.
+WAYS = {"drawn_by_material": (1, 0), "drawn_by_both": (1, 1)}
 
 
-def scene(bsdf: mi.BSDF, emitter: dict, size: int, integrator: dict, sampler: str) -> mi.Scene:
+def scene(bsdf: mi.BSDF, emitter: dict, size: int, integrator: dict, sampler: dict) -> mi.Scene:
     """The sphere of `nbrdf render`, under one emitter."""
     film = {"type": "hdrfilm", "width": size, "height": size, "rfilter": {"type": "box"}, "pixel_format": "rgb"}
     view = mi.ScalarTransform4f().look_at(origin=[0, 0, 4], target=[0, 0, 0], up=[0, 1, 0])
-    sensor = {"type": "orthographic", "to_world": view, "film": film, "sampler": {"type": sampler}}
+    sensor = {"type": "orthographic", "to_world": view, "film": film, "sampler": sampler}
     sphere = {"type": "sphere", "radius": RADIUS, "bsdf": bsdf}
     return mi.load_dict({"type": "scene", "integrator": integrator, "sensor": sensor, "sphere": sphere, "emitter": emitter})
 
 
-def under_lamps(bsdf: mi.BSDF, lamps: dict, size: int, samples: int, seeds: int) -> np.ndarray:
-    """Lamp by lamp, so that none is left to chance; [seeds, size, size, 3]."""
-    total = np.zeros((seeds, size, size, 3))
+def picture(lit: mi.Scene, seed: int = 0) -> np.ndarray:
+    """[size, size, 3]."""
+    return np.array(mi.render(lit, seed=seed), dtype=np.float64)[..., :3]
+
+
+def under_lamps(bsdf: mi.BSDF, lamps: dict, size: int) -> np.ndarray:
+    """[1, size, size, 3], without noise."""
+    integrator = {"type": "direct", "emitter_samples": 1, "bsdf_samples": 0}
+    total = np.zeros((size, size, 3))
     for direction, irradiance in zip(lamps["directions"], lamps["irradiance"]):
         emitter = {"type": "directional", "direction": [-x for x in direction], "irradiance": {"type": "rgb", "value": irradiance}}
-        lit = scene(bsdf, emitter, size, {"type": "direct", "emitter_samples": 1, "bsdf_samples": 0}, "stratified")
-        total += np.stack([np.array(mi.render(lit, spp=samples, seed=seed)) for seed in range(seeds)])
-    return total
+        total += picture(scene(bsdf, emitter, size, integrator, MIDDLE))
+    return total[np.newaxis]
 
 
-def around(bsdf: mi.BSDF, path: str, size: int, samples: int, seeds: int, by_bsdf: bool) -> np.ndarray:
-    """Under an environment, lights drawn by the material or by the map; [seeds, size, size, 3]."""
-    integrator = {"type": "direct", "bsdf_samples": int(by_bsdf), "emitter_samples": int(not by_bsdf), "hide_emitters": True}
-    lit = scene(bsdf, {"type": "envmap", "filename": path}, size, integrator, "independent")
-    return np.stack([np.array(mi.render(lit, spp=samples, seed=seed)) for seed in range(seeds)])
+def of_file(path: Path, size: int) -> np.ndarray:
+    """A scene as it comes, but for its sampler, lamp by lamp; [1, size, size, 3], without noise."""
+    root = ElementTree.parse(path).getroot()
+    sensor = root.find("sensor")
+    sensor.remove(sensor.find("sampler"))
+    sampler = ElementTree.SubElement(sensor, "sampler", type=MIDDLE["type"])
+    ElementTree.SubElement(sampler, "boolean", name="jitter", value="false")
+    ElementTree.SubElement(sampler, "integer", name="sample_count", value="1")
+    total = np.zeros((size, size, 3))
+    single = path.with_name(f"{path.stem}-lamp.xml")
+    for lamp in range(len(root.findall("emitter"))):
+        lit = deepcopy(root)
+        for index, emitter in enumerate(lit.findall("emitter")):
+            if index != lamp:
+                lit.remove(emitter)
+        ElementTree.ElementTree(lit).write(single)
+        total += picture(mi.load_file(str(single), size=size))
+    return total[np.newaxis]
+
+
+def around(bsdf: mi.BSDF, path: str, effort: dict, way: str, target: float) -> np.ndarray:
+    """Under an environment, pass by pass; [passes, size, size, 3]."""
+    by_bsdf, by_map = WAYS[way]
+    integrator = {"type": "direct", "bsdf_samples": by_bsdf, "emitter_samples": by_map, "hide_emitters": True}
+    sampler = {"type": "orthogonal", "sample_count": effort["samples"]}
+    lit = scene(bsdf, {"type": "envmap", "filename": path}, effort["size"], integrator, sampler)
+    passes: list[np.ndarray] = []
+    while len(passes) < LEAST_PASSES or (len(passes) < effort["most_passes"] and relative_noise(passes) > target):
+        passes.append(picture(lit, seed=len(passes)))
+    return np.stack(passes)
 
 
 def main() -> None:
     job = json.loads(Path(sys.argv[1]).read_text())
     mi.set_variant(job["variant"])
-    import mitsuba_nbrdf  # registers the plugin, for the variant that is set
+    import mitsuba_nbrdf  # noqa: F401  registers the plugin, for the variant that is set
 
     pictures = {}
     for material in job["materials"]:
-        for model in job["models"]:
-            is_python = model == "plugin"
-            parameters = material["plugin"] if is_python else {"type": "measured", "filename": material["bsdf"]}
-            bsdf = mi.load_dict(parameters)
-            effort = job["effort"]["plugin" if is_python else "bsdf"]
-            name = f"{material['name']}/{model}"
-            network = material["plugin"] if "plugin" in material else None
-            width = 1.0
-            if network:
-                _, width = mitsuba_nbrdf.lobe(mitsuba_nbrdf.read(network["filename"], network.get("checkpoint")))
-            # A narrow highlight is hardly ever found by a map or a few pixels: rare, bright hits would say nothing in any
-            # affordable time.
-            is_wide = width >= job["narrowest"]
-            if is_wide or not effort["is_coarse"]:
-                for light, lamps in job["lamps"].items():
-                    pictures[f"{name}/{light}"] = under_lamps(bsdf, lamps, effort["size"], effort["lamp_samples"], job["seeds"])
-            if not job["is_around"]:
+        for model in ("bsdf", "plugin"):
+            if model not in material:
                 continue
-            ways = (("drawn_by_material", True), ("drawn_by_map", False))
-            for light, by_bsdf in ways if is_wide else ways[:1]:
-                samples = effort["material_samples"] if by_bsdf else effort["map_samples"]
-                pictures[f"{name}/{light}"] = around(bsdf, job["environment"], effort["size"], samples, job["seeds"], by_bsdf)
+            bsdf = mi.load_dict(material["plugin"] if model == "plugin" else {"type": "measured", "filename": material["bsdf"]})
+            name, effort = f"{material['name']}/{model}", job["effort"][model]
+            for light, lamps in job["lamps"].items():
+                pictures[f"{name}/{light}"] = under_lamps(bsdf, lamps, effort["lamps"])
+            for way in effort["ways"] if job["environment"] else ():
+                pictures[f"{name}/{way}"] = around(bsdf, job["environment"], effort, way, job["target"])
         if "scene" in material:
-            size, samples = job["scene_size"], job["scene_samples"]
-            ready = mi.load_file(material["scene"], size=size, samples=samples)
-            seeds = [np.array(mi.render(ready, seed=seed))[..., :3] for seed in range(job["seeds"])]
-            pictures[f"{material['name']}/scene/studio"] = np.stack(seeds)
+            pictures[f"{material['name']}/scene/studio"] = of_file(Path(material["scene"]), job["effort"]["bsdf"]["lamps"])
         print(f"  {job['variant']}: {material['name']}", file=sys.stderr, flush=True)
     np.savez(job["output"], **pictures)
 

@@ -20,6 +20,11 @@ def number(value: float | None, digits: int) -> str:
     return "–" if value is None else f"{value:.{digits}f}"
 
 
+def fine_percent(share: float) -> str:
+    """With more decimals where two would say nothing."""
+    return f"{100 * share:.{2 if share >= 1e-4 else 4}f} %"
+
+
 def table(head: list[str], rows: list[list[str]], numbers: str = "---:") -> str:
     """The first column is text; the others are numbers, unless told otherwise."""
     lines = [head, ["---"] + [numbers] * (len(head) - 1), *rows]
