@@ -14,6 +14,7 @@ use serde_json::{Value, json};
 use crate::catalog::exporters::Subject;
 use crate::catalog::{Catalog, ExporterEntry};
 use crate::command::fit::judge::table_error;
+use crate::report;
 
 pub use file_set::FileSet;
 
@@ -49,6 +50,24 @@ pub fn error(
     error["image_mean_error"] = of_mean.into();
     error["image_pixel_error"] = of_pixels.into();
     Ok(error)
+}
+
+/// What is written, of which size and how far from its source, as a line; of `material`, `files` and `error`.
+pub fn line(told: &Value) -> String {
+    let files = told["files"].as_array().map_or(&[][..], Vec::as_slice);
+    let names: Vec<&str> = files.iter().filter_map(|file| file["name"].as_str()).collect();
+    let bytes: u64 = files.iter().filter_map(|file| file["bytes"].as_u64()).sum();
+    let number = |key: &str| told["error"][key].as_f64().unwrap_or(f64::NAN);
+    let figure = |key: &str| report::figure(number(key));
+    let elsewhere = 100.0 * number("image_pixel_error");
+    let name = told["material"].as_str().unwrap_or_default();
+    format!(
+        "{name} in {}, {}; log_error {}, studio PSNR {} dB, {elsewhere:.1} % of the light elsewhere\n",
+        names.join(", "),
+        report::size(bytes),
+        figure("log_error"),
+        figure("studio_psnr")
+    )
 }
 
 /// What is to be said where the files are further from their source than the form promises; `error` as told by [`error()`].

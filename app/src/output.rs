@@ -7,7 +7,6 @@ use nbrdf_core::extensions::listed;
 use nbrdf_core::{Image, atomic};
 
 use crate::failure::Failure;
-use crate::material::parse_code;
 use crate::report::png::png;
 
 /// Extensions of pictures.
@@ -42,16 +41,6 @@ pub fn check_no_input(path: &Path, inputs: &[String]) -> Result<()> {
     if is_read {
         let path = path.display();
         return Err(Failure::Usage(format!("{path}: is read and would be written over: choose another name")).into());
-    }
-    Ok(())
-}
-
-/// Refuses to write a form's second file over a code that nobody named.
-pub fn check_no_code(path: &Path) -> Result<()> {
-    let is_code = std::fs::read(path).is_ok_and(|bytes| parse_code("", &bytes).is_ok());
-    if is_code {
-        let path = path.display();
-        return Err(Failure::Usage(format!("{path}: is a code and would be written over: choose another name")).into());
     }
     Ok(())
 }

@@ -96,8 +96,8 @@ fn what_cannot_be_exported_is_refused_and_leaves_nothing() {
         (&["export", "c.json", "--to", "code", "-o", "c.json"], "is read"),
         (&["export", "c.json", "--to", "keras", "-o", "c.h5"], "is read"),
         (&["decode", "c.json", "-o", "c.h5"], "is read"),
-        (&["export", "chrome", "--to", "keras", "-o", "d.h5"], "is a code"),
-        (&["decode", "c.json", "-o", "d.h5"], "is a code"),
+        (&["export", "chrome", "--to", "keras", "-o", "d.h5"], "is not as an export left it"),
+        (&["decode", "c.json", "-o", "d.h5"], "is not as an export left it"),
         (&["export", "chrme", "--to", "npz", "-o", "x"], "did you mean"),
         (&["export", "brass", "chrme", "--to", "npz", "-o", "out"], "did you mean"),
         (&["export", "c.json", "brass", "--to", "code", "-o", "out"], "has no code"),
@@ -109,6 +109,23 @@ fn what_cannot_be_exported_is_refused_and_leaves_nothing() {
     place.run(&["export", "chrome", "--to", "npz", "-o", "nowhere/x"]).fails(3);
     assert_eq!(place.names(), ["c.json", "d.json"]);
     assert_eq!(place.file("d.json"), code);
+}
+
+#[test]
+fn files_that_come_with_another_are_replaced_only_as_an_export_left_them() {
+    let place = Place::new();
+    place.run(&["export", "chrome", "-o", "a.bsdf"]).ok();
+    place.run(&["export", "brass", "-o", "a.bsdf"]).ok();
+    let scene = [place.file("a.xml"), b"<!-- my lamp -->".to_vec()].concat();
+    place.write("a.xml", &scene);
+    for arguments in [&["export", "chrome", "-o", "a.bsdf"][..], &["export", "chrome", "--to", "bsdf", "-o", "a"]] {
+        let said = place.run(arguments).fails(2);
+        assert!(said.contains("a.xml: is there") && said.contains("move it"), "{said}");
+    }
+    assert_eq!(
+        (place.file("a.xml"), manifest(&place, "a.bsdf.manifest.json")["material"].clone()),
+        (scene, "brass".into())
+    );
 }
 
 #[test]

@@ -69,7 +69,7 @@ impl Blend {
         let methods = self.methods()?;
         output::check(&self.output, &output::PICTURES)?;
         if let Some(path) = &self.code {
-            code::check(path, &methods, &samples)?;
+            code::check(path, &self.ends, &methods, &samples)?;
         }
         let shelf = self.sources.open()?;
         let ends = self.ends(&shelf)?;

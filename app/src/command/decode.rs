@@ -10,7 +10,7 @@ use serde_json::json;
 
 use super::{Global, of_code};
 use crate::catalog::exporters::{EXPORTERS, ExporterEntry, Needs, Subject};
-use crate::exported::FileSet;
+use crate::exported::{self, FileSet};
 use crate::failure::Failure;
 use crate::material::{STDIN, Sources};
 use crate::measure::guard;
@@ -68,10 +68,10 @@ impl Decode {
         let summary = json!({
             "schema": 1, "material": name, "model": model, "hidden": network.map(Nbrdf::hidden),
             "weights": network.map(|network| network.weights().len()), "output": self.output.display().to_string(),
-            "error": made.manifest["error"], "manifest": set.manifest().display().to_string(),
+            "error": made.manifest["error"], "files": made.manifest["files"], "manifest": set.manifest().display().to_string(),
         });
         set.write(made)?;
-        report::print(global, &summary, || format!("{name} in {}\n", self.output.display()))
+        report::print(global, &summary, || exported::line(&summary))
     }
 
     /// The files of the form that the extension says.

@@ -51,6 +51,7 @@ impl Edit {
         let output = self.output.as_deref().filter(|path| path.as_os_str() != "-");
         if let Some(path) = output {
             output::check(path, &["json"])?;
+            output::check_no_input(path, std::slice::from_ref(&self.material))?;
         }
         let shelf = self.sources.open()?;
         let item = shelf.material_or_code(&self.material)?;

@@ -67,7 +67,7 @@ impl Export {
         }
         bar.finish_and_clear();
         let summary = json!({"schema": 1, "form": to.form.name, "exports": exports});
-        report::print(global, &summary, || exports.iter().map(line).collect())
+        report::print(global, &summary, || exports.iter().map(exported::line).collect())
     }
 
     /// What is to be written, all of it known before any is.
@@ -103,15 +103,4 @@ impl Export {
         }
         Ok(told)
     }
-}
-
-fn line(export: &Value) -> String {
-    let files = export["files"].as_array().map_or(&[][..], Vec::as_slice);
-    let names: Vec<&str> = files.iter().filter_map(|file| file["name"].as_str()).collect();
-    let bytes: u64 = files.iter().filter_map(|file| file["bytes"].as_u64()).sum();
-    let error = &export["error"];
-    let figure = |key: &str| report::figure(error[key].as_f64().unwrap_or(f64::NAN));
-    let how = format!("log_error {}, studio PSNR {} dB", figure("log_error"), figure("studio_psnr"));
-    let name = export["material"].as_str().unwrap_or_default();
-    format!("{name} in {}, {}; {how}\n", names.join(", "), report::size(bytes))
 }

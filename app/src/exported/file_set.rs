@@ -6,9 +6,10 @@ use anyhow::{Context, Result};
 use nbrdf_core::atomic;
 use serde_json::Value;
 
-use super::manifest;
+use super::{file as told, manifest};
 use crate::catalog::exporters::Subject;
 use crate::catalog::{Catalog, ExporterEntry};
+use crate::failure::Failure;
 use crate::output;
 
 /// Names of the files of one material in one form, its manifest among them.
@@ -42,7 +43,8 @@ impl FileSet {
         std::iter::once(self.manifest()).chain(self.form.paths(&self.stem)).collect()
     }
 
-    /// Refuses to write over what is read or over a code that nobody named, and where nothing can be written.
+    /// Refuses to write over what is read, and where nothing can be written. The file that is named may be replaced; those that
+    /// come with it only where they are as an earlier export left them.
     ///
     /// # Errors
     /// Which file.
@@ -52,10 +54,22 @@ impl FileSet {
 
     fn check_path(&self, path: &Path, inputs: &[String]) -> Result<()> {
         output::check_no_input(path, inputs)?;
-        if path.extension().is_none_or(|extension| extension != self.form.extension) {
-            output::check_no_code(path)?;
+        if path != self.named() && path != self.manifest() && path.is_file() && !self.is_own(path) {
+            let path = path.display();
+            return Err(Failure::Usage(format!(
+                "{path}: is there, is not as an export left it, and would be written over: move it, or choose another name"
+            ))
+            .into());
         }
         output::check_writable(path)
+    }
+
+    /// Whether the manifest that is there tells of such a file.
+    fn is_own(&self, path: &Path) -> bool {
+        let manifest = std::fs::read(self.manifest()).ok().and_then(|text| serde_json::from_slice::<Value>(&text).ok());
+        let found = std::fs::read(path).ok().map(|bytes| told(&(path.to_owned(), bytes)));
+        let files = manifest.as_ref().and_then(|manifest| manifest["files"].as_array());
+        found.zip(files).is_some_and(|(found, files)| files.contains(&found))
     }
 
     /// What the files are to hold, and how far that is from the material.

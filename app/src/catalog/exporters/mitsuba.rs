@@ -46,7 +46,8 @@ fn scene(stem: &str) -> String {
     format!(
         r#"<?xml version="1.0" encoding="utf-8"?>
 <!-- mitsuba -m scalar_rgb {name}.xml
-     The sphere of `nbrdf render` under the lamps of its light `studio`. For light from all around, put
+     The sphere of `nbrdf render` under the lamps of its light `studio`. Mitsuba draws one of the lamps for each sample: where
+     highlights are sharp, give it more (-Dsamples=1024). For light from all around, put
      <emitter type="envmap"><string name="filename" value="map.exr"/></emitter> in their place. -->
 <scene version="3.0.0">
     <default name="size" value="512"/>

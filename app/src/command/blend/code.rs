@@ -11,9 +11,10 @@ use crate::catalog::InterpolationEntry;
 use crate::failure::Failure;
 use crate::output;
 
-/// Refuses a code of several places or several methods, and one that cannot be written.
-pub(super) fn check(path: &Path, methods: &[&InterpolationEntry], samples: &[Sample]) -> Result<()> {
+/// Refuses a code of several places or several methods, and one that cannot be written or would replace an end.
+pub(super) fn check(path: &Path, ends: &[String], methods: &[&InterpolationEntry], samples: &[Sample]) -> Result<()> {
     output::check(path, &["json"])?;
+    output::check_no_input(path, ends)?;
     match (methods.len(), samples.len()) {
         (1, 1) => Ok(()),
         (methods, places) => {
