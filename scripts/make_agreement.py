@@ -8,9 +8,9 @@ which programs made golden numbers stands in scripts/make_golden.py and in the f
 
 import json
 import sys
-from collections import Counter, defaultdict
 from pathlib import Path
 
+import exports_mitsuba
 import make_golden
 from nbrdf_jax import side_by_side
 from nbrdf_jax.side_by_side import agreed, share, told
@@ -45,33 +45,7 @@ def by_row(record: dict) -> str:
     """The row that is furthest without a reason, as a heading."""
     worst = record["without_reason"]
     codes = max(record["codes"], key=lambda row: row["difference"])
-    return f"where no reason is stated, at most {share(worst['largest'])} ({worst['where']}); codes differ by {share(codes['difference'])} of their largest number at most"
-
-
-def distance(row: dict) -> float:
-    """Of a picture: the light that is elsewhere where that is told, else the difference of means."""
-    return next(row[key] for key in ("elsewhere", "difference", "relative_difference") if key in row)
-
-
-def noise(row: dict) -> float:
-    """Standard error of a picture's mean, of the worst channel, relative to the mean."""
-    own = row["noise"]
-    return max(part / max(mean, 1e-9) for part, mean in zip(own, row["mean"])) if isinstance(own, list) else own
-
-
-def pictures(rows: list[dict]) -> tuple[str, str]:
-    """Counts of verdicts in a heading, and their table by model, reference and light."""
-    total = Counter(row["verdict"] for row in rows)
-    verdicts = ["agrees", *sorted(set(total) - {"agrees"})]
-    groups = defaultdict(list)
-    for row in rows:
-        groups[row["model"], row.get("against", "network"), row["light"]].append(row)
-    body = []
-    for kind, group in groups.items():
-        worst, counts = max(group, key=distance), Counter(row["verdict"] for row in group)
-        body.append([*(f"`{part}`" for part in kind), str(len(group)), *(str(counts[verdict]) for verdict in verdicts), share(distance(worst)), worst["material"], share(max(map(noise, group)))])
-    heading = f"{total['agrees']} of {len(rows)} comparisons agree" + "".join(f", {total[verdict]} {verdict}" for verdict in verdicts[1:])
-    return heading, table(["in Mitsuba", "against", "light", "pictures", *verdicts, "furthest", "of", "largest noise"], body)
+    return f"where no wider tolerance is stated, at most {share(worst['largest'])} ({worst['where']}); codes differ by {share(codes['difference'])} of their largest number at most"
 
 
 def numbers(content: object) -> int:
@@ -95,7 +69,6 @@ def by_others() -> list[list[str]]:
 
 def page() -> str:
     record, mitsuba, browser = read("agreement"), read("mitsuba"), read("browser")
-    heading, rendered = pictures(mitsuba["rows"])
     drawn, golden = browser["rows"], by_others()
     exact = sum(row["largest_step"] == 0 for row in drawn)
     tolerance = record["tolerance"]
@@ -135,11 +108,11 @@ What was not recomputed:
 
 {table(["why", "figures"], [[row["reason"], str(row["figures"])] for row in record["claims_not_recomputed"]])}
 
-## Mitsuba {mitsuba["mitsuba"]}: {heading}
+## Mitsuba {mitsuba["mitsuba"]}: {exports_mitsuba.heading(mitsuba)}
 
 Spheres of {len(mitsuba["materials"])} materials in {" and ".join(f"`{name}`" for name in mitsuba["variants"])}; [exports.md](exports.md) says what is compared with what, and when a picture agrees.
 
-{rendered}
+{exports_mitsuba.renderers(mitsuba)}
 
 ## In a browser: {exact} of {len(drawn)} pictures are the same to the bit, all at least {min(row["psnr"] for row in drawn):.1f} dB
 

@@ -5,9 +5,11 @@
 
 Spheres under the lights of measurement (`point`, `studio`), without noise (see `mitsuba_render.py`), and under an environment map,
 where lights are drawn by the material, or by material and map together: if a plugin's density were not that of what it draws,
-they would differ. Tables are compared with the network that they were made of, where as much may differ as an export allows,
-and with the same table as nbrdf reads it, where next to nothing may: so a difference of the first kind is the table's own, the
-resolution that it was stored in. Verdicts are those of `mitsuba_judge.py`.
+they would differ. Some scenes are rendered just as they come, too, with the noise of their own sampler. Networks are the published
+ones of MERL where they are found (`NBRDF_DATA`), the built-in refits elsewhere. Tables are compared with the network that they
+were made of, where as much may differ as an export allows, and with the same table as nbrdf reads it, where next to nothing may:
+so a difference of the first kind is the table's own, the resolution that it was stored in. Verdicts are those of
+`mitsuba_judge.py`.
 Renders with `scalar_rgb`, and with `llvm_ad_rgb` where a working LLVM is found; each library is tried in a process of its own,
 since some versions abort.
 Exits with 1 where pictures are apart, with 2 where Mitsuba or `nbrdf` is not there, with 4 where more than a twentieth is too noisy
@@ -16,7 +18,6 @@ to tell.
 
 import argparse
 import json
-import os
 import sys
 import tempfile
 import time
@@ -24,16 +25,17 @@ from collections import Counter
 from pathlib import Path
 
 import mitsuba_judge as judge
+from nbrdf_jax import program
+from nbrdf_jax.fitted_library import whole
 
-ROOT = Path(__file__).resolve().parents[1]
 MOST_NOISY = 0.05
 
 
 def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__.split("\n\n")[0])
     parser.add_argument("--quick", action="store_true", help="three materials and fewer samples: about a minute on two cores")
-    parser.add_argument("--all", action="store_true", help="also the tables of all built-in MERL materials, under lamps")
-    parser.add_argument("--nbrdf", type=Path, default=Path(os.environ.get("CARGO_TARGET_DIR", ROOT / "target")) / "release" / "nbrdf")
+    parser.add_argument("--all", action="store_true", help="also the tables of all materials of MERL, under lamps")
+    parser.add_argument("--nbrdf", type=Path, default=program.BUILT, help="the program (default: %(default)s)")
     parser.add_argument("-o", "--output", type=Path, help="the figures as JSON")
     parser.add_argument("--strip", type=Path, help="a picture: nbrdf, its table and its network in Mitsuba, and how far they differ")
     options = parser.parse_args()
@@ -54,9 +56,9 @@ def main() -> int:
         comparison = Comparison(options.nbrdf, Path(scratch), options.quick)
         rows = comparison.rows()
         report = {
-            "schema": 2, "about": "spheres by Mitsuba against `nbrdf render`",
+            "schema": 3, "about": "spheres by Mitsuba against `nbrdf render`",
             "command": " ".join(["python scripts/mitsuba_check.py", *(["--quick"] * options.quick), *(["--all"] * options.all)]),
-            "mitsuba": mi.__version__, "llvm": Path(comparison.library).name if comparison.library else None,
+            "mitsuba": mi.__version__, "networks": comparison.networks, "llvm": Path(comparison.library).name if comparison.library else None,
             "variants": comparison.variants, "materials": comparison.names, "tolerance": comparison.TOLERANCE,
             "sigmas": judge.SIGMAS, "most_noise": judge.MOST_NOISE, "rows": rows,
         }  # fmt: skip
@@ -64,11 +66,12 @@ def main() -> int:
             every = comparison.of_all_tables()
             report["all"] = summary(every)
             rows = rows + every
+        report["seconds"] = round(time.monotonic() - began)
+        # What was found is kept, whether or not it can be drawn.
+        if options.output:
+            whole(options.output, (json.dumps(report, indent=1, allow_nan=False) + "\n").encode())
         if options.strip:
             draw(options.strip, comparison)
-    report["seconds"] = round(time.monotonic() - began)
-    if options.output:
-        options.output.write_text(json.dumps(report, indent=1) + "\n")
     return told(rows, report["seconds"])
 
 

@@ -15,23 +15,27 @@ HEIGHT = 512
 
 class References:
     """The program in a folder; pictures are kept there. Those under a map have noise of their own: there are several, with so
-    many samples each."""
+    many samples each. Names are those of the library, or of the built-in one without."""
 
-    def __init__(self, program: Path, folder: Path, seeds: int, samples: int) -> None:
+    def __init__(self, program: Path, folder: Path, seeds: int, samples: int, library: Path | None) -> None:
         self.program, self.folder, self.seeds, self.samples = program.resolve(), folder, seeds, samples
+        self.library = ("--library", str(library.resolve())) if library else ()
         self.environment = folder / "environment.exr"
         write_environment(self.environment)
 
     def run(self, *arguments: str) -> bytes:
         """What the program says."""
-        return subprocess.run([self.program, *arguments, "--quiet"], cwd=self.folder, check=True, stdout=subprocess.PIPE).stdout
+        return subprocess.run([self.program, *arguments, *self.library, "--quiet"], cwd=self.folder, check=True, stdout=subprocess.PIPE).stdout
 
     def merl(self) -> list[str]:
-        """Names of the built-in materials of MERL."""
+        """Names of the materials of MERL."""
         return [row["name"] for row in json.loads(self.run("list", "--json"))["materials"] if row["database"] == "merl"]
 
     def pictures(self, material: str, light: str, size: int) -> np.ndarray:
-        """[1, size, size, 3] under lamps, without noise; [seeds, 256, 256, 3] under the map. The material is a name or a file."""
+        """[1, size, size, 3] under lamps, without noise; [seeds, 256, 256, 3] under the map. The material is a name or a file.
+        Lamps that a scene draws from light all of a pixel, not its middle: [1, 256, 256, 3]."""
+        if light == "studio_drawn":
+            return self.pictures(material, "studio", SIZE)
         if light in LAMPS:
             return self.picture(material, size, "--light", light)[np.newaxis]
         how = ("--environment", self.environment.name, "--samples", str(self.samples), "--seed")

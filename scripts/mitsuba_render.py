@@ -3,18 +3,22 @@
     python scripts/mitsuba_render.py JOB.json
 
 JOB.json: `variant`, `output` (.npz), `materials` (`name`, and of `bsdf`, `scene`, `plugin` those that there are: a table, a scene,
-parameters of the plugin), `lamps` (name → directions towards the lamp and irradiance), `environment` (.exr) or null, `effort` of
-`bsdf` and `plugin` (`lamps` is the size of pictures under lamps; `size`, `samples`, `most_passes` and `ways` are for the map),
-`target` (noise to stop at). The output holds arrays [passes, size, size, 3] named material/model/light.
+parameters of the plugin; with a scene `as_it_comes`, whether it is rendered so, too), `lamps` (name → directions towards the
+lamp and irradiance), `environment` (.exr) or null, `effort` of `bsdf` and `plugin` (`lamps` is the size of pictures under lamps;
+`size`, `samples`, `most_passes` and `ways` are for the map) and of `scene` (`lamps` as well; `size`, `samples`, `most_passes` and
+`target` are for the scene as it comes), `target` (noise to stop at). The output holds arrays [passes, size, size, 3] named
+material/model/light.
 
 Under lamps rays go through the middles of pixels, as those of `nbrdf render` do, and lamps are lit one by one: nothing is left
 to chance, and one pass is exact. Under a map samples are those of orthogonal arrays (W. Jarosz et al., *Orthogonal Array Sampling
 for Monte Carlo Rendering*, 2019), several times less noisy than independent ones; passes are added until noise is at the target.
+So they are for an exported scene just as it comes, which draws one of its lamps for each sample.
 """
 
 from __future__ import annotations
 
 import json
+import os
 import sys
 import xml.etree.ElementTree as ElementTree
 from copy import deepcopy
@@ -65,7 +69,8 @@ def of_file(path: Path, size: int) -> np.ndarray:
     ElementTree.SubElement(sampler, "boolean", name="jitter", value="false")
     ElementTree.SubElement(sampler, "integer", name="sample_count", value="1")
     total = np.zeros((size, size, 3))
-    single = path.with_name(f"{path.stem}-lamp.xml")
+    # Several processes may be at this scene; what it refers to is beside it.
+    single = path.with_name(f"{path.stem}-lamp-{os.getpid()}.xml")
     for lamp in range(len(root.findall("emitter"))):
         lit = deepcopy(root)
         for index, emitter in enumerate(lit.findall("emitter")):
@@ -82,10 +87,21 @@ def around(bsdf: mi.BSDF, path: str, effort: dict, way: str, target: float) -> n
     integrator = {"type": "direct", "bsdf_samples": by_bsdf, "emitter_samples": by_map, "hide_emitters": True}
     sampler = {"type": "orthogonal", "sample_count": effort["samples"]}
     lit = scene(bsdf, {"type": "envmap", "filename": path}, effort["size"], integrator, sampler)
-    passes: list[np.ndarray] = []
-    while len(passes) < LEAST_PASSES or (len(passes) < effort["most_passes"] and relative_noise(passes) > target):
-        passes.append(picture(lit, seed=len(passes)))
-    return np.stack(passes)
+    return passes(lit, effort["most_passes"], target)
+
+
+def as_it_comes(path: Path, effort: dict) -> np.ndarray:
+    """A scene with its own sampler, film and lamps, as `mi.load_file` reads it; [passes, size, size, 3]."""
+    lit = mi.load_file(str(path), size=effort["size"], samples=effort["samples"])
+    return passes(lit, effort["most_passes"], effort["target"])
+
+
+def passes(lit: mi.Scene, most: int, target: float) -> np.ndarray:
+    """Pictures of other seeds until the noise of their mean is known to be at the target, or there are so many."""
+    done: list[np.ndarray] = []
+    while len(done) < LEAST_PASSES or (len(done) < most and not relative_noise(done) <= target):
+        done.append(picture(lit, seed=len(done)))
+    return np.stack(done)
 
 
 def main() -> None:
@@ -105,7 +121,10 @@ def main() -> None:
             for way in effort["ways"] if job["environment"] else ():
                 pictures[f"{name}/{way}"] = around(bsdf, job["environment"], effort, way, job["target"])
         if "scene" in material:
-            pictures[f"{material['name']}/scene/studio"] = of_file(Path(material["scene"]), job["effort"]["bsdf"]["lamps"])
+            path, effort = Path(material["scene"]), job["effort"]["scene"]
+            pictures[f"{material['name']}/scene/studio"] = of_file(path, effort["lamps"])
+            if material["as_it_comes"]:
+                pictures[f"{material['name']}/scene/studio_drawn"] = as_it_comes(path, effort)
         print(f"  {job['variant']}: {material['name']}", file=sys.stderr, flush=True)
     np.savez(job["output"], **pictures)
 

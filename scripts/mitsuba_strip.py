@@ -18,7 +18,7 @@ from matplotlib.colors import LinearSegmentedColormap  # noqa: E402
 MATERIALS = ("gold-metallic-paint", "blue-acrylic", "chrome", "red-fabric")
 SIZE = 192
 HEADS = ("nbrdf render", "Mitsuba, measured:\nthe exported table", "Mitsuba, nbrdf:\nthe network", "table less nbrdf", "network less nbrdf")
-CAPTION = "Spheres under the eleven lamps of `studio`, rays through the middles of pixels.\nDifferences of luminance as shares of the picture's mean:"
+CAPTION = f"Spheres of {SIZE} pixels under the eleven lamps of the light studio, rays through the middles of pixels.\nDifferences of luminance as shares of the picture's mean (paler: beyond):"
 BACKGROUND, INK, QUIET = "#14161a", "#e8e8e8", "#a0a4ac"
 # Of a pixel's difference to the mean of its picture; what is beyond has the last colour.
 REACH = 0.1

@@ -47,6 +47,44 @@ def test_a_noisy_picture_neither_agrees_nor_is_apart(picture):
         assert verdict(noisy(picture * off, 0.0005, 3), noisy(picture, 0.01, 4)) == judge.NOISY
 
 
+@pytest.mark.parametrize("value", [np.nan, np.inf, -np.inf])
+def test_a_single_value_that_is_not_finite_is_apart_on_either_side_with_noise_and_without(picture, value):
+    passes, others = noisy(picture, 0.001, 11), noisy(picture, 0.0005, 12)
+    broken = picture.copy()
+    broken[3, 4, 1] = passes[2, 3, 4, 1] = value
+    found = [judge.exact(broken, picture, 0.01), judge.exact(picture, broken, 0.01), judge.noisy(passes, others, 0.01), judge.noisy(others, passes, 0.01)]
+    for row in found:
+        assert row["verdict"] == judge.APART and row["not_finite"] == 1
+        assert np.isfinite([figure for figure in row.values() if not isinstance(figure, str)]).all()
+
+
+def test_a_picture_of_nothing_but_values_that_are_no_numbers_is_apart(picture):
+    for nothing in (np.nan, np.inf):
+        assert judge.exact(np.full_like(picture, nothing), picture, 1.0)["verdict"] == judge.APART
+        assert verdict(np.full((PASSES, SIZE, SIZE, 3), nothing), noisy(picture, 0.0005, 13), 1.0) == judge.APART
+
+
+@pytest.mark.parametrize("factor", [0, 0.5, 2])
+def test_one_block_that_is_halved_or_doubled_is_apart(picture, factor):
+    off = picture.copy()
+    off[12:16, 20:24] *= factor
+    found = judge.noisy(noisy(off, 0.0005, 14), noisy(picture, 0.0005, 15), 0.001)
+    assert found["verdict"] == judge.APART and found["blocks_apart"] >= 1
+
+
+def test_as_many_blocks_may_be_apart_as_student_explains(picture):
+    assert (judge.by_chance(judge.LEAST_PASSES), judge.by_chance(4)) == (2, 8)
+    blocks = [(4 * index, 4 * index) for index in range(8)]
+    # Beyond four standard errors, of 0.5 % of a block each, but not beyond ten.
+    for count, wanted in ((2, judge.AGREES), (6, judge.APART)):
+        off = picture.copy()
+        for row, column in blocks[:count]:
+            off[row : row + 4, column : column + 4] *= 1.045
+        off *= picture.mean(axis=(0, 1)) / off.mean(axis=(0, 1))
+        found = judge.noisy(noisy(off, 0.0005, 16), noisy(picture, 0.0002, 17), 0.001)
+        assert (found["verdict"], found["blocks_allowed"]) == (wanted, 2), found
+
+
 def test_light_that_is_moved_is_apart_though_the_means_are_the_same(picture):
     moved = picture.copy()
     moved[:8, :8] *= 1.3
@@ -77,3 +115,14 @@ def test_pictures_of_other_sizes_are_compared_block_by_block(picture):
 def test_noise_of_fewer_than_two_passes_is_not_known(picture):
     assert judge.relative_noise([picture]) == float("inf")
     assert judge.relative_noise(list(noisy(picture, 0.003, 10))) == pytest.approx(0.003, rel=0.6)
+
+
+def test_noise_of_passes_that_are_not_finite_is_at_no_target(picture):
+    passes = list(noisy(picture, 0.003, 10))
+    passes[1] = passes[1] * np.nan
+    assert not judge.relative_noise(passes) <= 1e9
+
+
+def test_a_single_reference_is_one_without_noise(picture):
+    assert verdict(noisy(picture, 0.001, 18), picture[np.newaxis]) == judge.AGREES
+    assert verdict(noisy(picture * 1.02, 0.001, 18), picture[np.newaxis]) == judge.APART

@@ -1,5 +1,7 @@
 """Pictures that are compared with those of `nbrdf render`: the same rays and lamps, and noise down to a target."""
 
+from pathlib import Path
+
 import numpy as np
 import pytest
 
@@ -28,21 +30,48 @@ def test_a_picture_under_lamps_is_that_of_the_other_implementation_without_noise
     np.testing.assert_allclose(found, [LitSphere.under(name, SIZE).render(Microfacet((1.0, 1.0, 1.0)))], atol=2e-5)
 
 
-def test_a_scene_is_rendered_lamp_by_lamp(tmp_path):
+@pytest.fixture
+def scene(tmp_path) -> Path:
+    """A white sphere with a lamp from either side."""
     lamp = '<emitter type="directional"><vector name="direction" x="{}" y="0" z="-1"/><rgb name="irradiance" value="1, 2, 3"/></emitter>'
     (tmp_path / "a.xml").write_text(
         '<scene version="3.0.0"><default name="size" value="8"/><integrator type="path"><integer name="max_depth" value="2"/></integrator>'
         '<sensor type="orthographic"><transform name="to_world"><lookat origin="0, 0, 4" target="0, 0, 0" up="0, 1, 0"/></transform>'
-        '<sampler type="independent"/><film type="hdrfilm"><integer name="width" value="$size"/><integer name="height" value="$size"/>'
+        '<default name="samples" value="4"/><sampler type="independent"><integer name="sample_count" value="$samples"/></sampler><film type="hdrfilm"><integer name="width" value="$size"/><integer name="height" value="$size"/>'
         '<rfilter type="box"/></film></sensor><shape type="sphere"><float name="radius" value="0.99"/><bsdf type="diffuse"/></shape>'
         f"{lamp.format(-1)}{lamp.format(1)}</scene>"
     )
-    (found,) = mitsuba_render.of_file(tmp_path / "a.xml", SIZE)
+    return tmp_path / "a.xml"
+
+
+def test_a_scene_is_rendered_lamp_by_lamp(scene):
+    (found,) = mitsuba_render.of_file(scene, SIZE)
     assert found.shape == (SIZE, SIZE, 3)
     np.testing.assert_allclose(found, found[:, ::-1], atol=1e-5)  # one lamp from either side
     np.testing.assert_allclose(found[..., 2], 3 * found[..., 0], rtol=1e-4)
     # Facing the viewer, E cos 45° / π of each lamp and half of it reflected.
     assert found[SIZE // 2, SIZE // 2, 0] == pytest.approx(2 * np.sqrt(0.5) / np.pi * 0.5, rel=0.01)
+
+
+def test_a_scene_as_it_comes_shows_the_same_with_noise(scene):
+    effort = {"size": 8, "samples": 64, "most_passes": 64, "target": 0.002}
+    found = mitsuba_judge.noisy(mitsuba_render.as_it_comes(scene, effort), mitsuba_render.of_file(scene, 128), 0.001)
+    assert found["verdict"] == mitsuba_judge.AGREES and found["noise"] > 0.0005
+
+
+def test_processes_at_one_scene_do_not_share_a_file(scene, monkeypatch):
+    names = set()
+    monkeypatch.setattr(mitsuba_render.mi, "load_file", lambda path, **_: names.add(path))
+    monkeypatch.setattr(mitsuba_render, "picture", lambda lit: np.zeros((SIZE, SIZE, 3)))
+    for process in (11, 12):
+        monkeypatch.setattr(mitsuba_render.os, "getpid", lambda: process)
+        mitsuba_render.of_file(scene, SIZE)
+    assert len(names) == 2
+
+
+def test_passes_that_are_not_finite_never_reach_the_target(monkeypatch):
+    monkeypatch.setattr(mitsuba_render, "picture", lambda lit, seed: np.full((8, 8, 3), np.nan if seed == 3 else 1.0))
+    assert len(mitsuba_render.passes(None, 20, 1.0)) == 20
 
 
 def test_passes_are_added_until_the_noise_is_at_the_target_or_the_budget_is_used_up(white, tmp_path):

@@ -10,7 +10,7 @@ use super::entry::first;
 use super::{ExporterEntry, Needs};
 
 /// What weights mean.
-const WEIGHTS: &str = "weights of a network 6-n-m-3 of (half, difference) vectors; relu, relu, exp(y) - 1 clamped at 0 is f_r \
+const WEIGHTS: &str = "weights of a network 6-n-m-3 of h.x h.y h.z d.x d.y d.z (half, difference); relu, relu, exp(y) - 1 clamped at 0 is f_r \
                        [1/sr], linear RGB, without the cosine";
 
 /// Six arrays in one archive.
