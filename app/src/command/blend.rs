@@ -90,7 +90,9 @@ impl Blend {
         self.write(&ends, &samples, &walks)?;
         report::print(global, &self.json(&ends, &samples, &walks), || {
             let drawn = walks.iter().filter(|walk| walk.result.is_ok()).count();
-            format!("{drawn} methods, {} spheres each in {}\n", samples.len(), self.output.display())
+            let [methods, spheres] = [(drawn, "method"), (samples.len(), "sphere")]
+                .map(|(count, what)| format!("{count} {what}{}", if count == 1 { "" } else { "s" }));
+            format!("{methods}, {spheres} each in {}\n", self.output.display())
         })
     }
 
