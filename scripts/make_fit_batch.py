@@ -60,7 +60,7 @@ def finding(quality: dict) -> str:
     """Of all materials together."""
     found = quality["overall"]["log_error"]
     if 1 / (1 + MARGIN) <= found["low"] and found["high"] <= 1 + MARGIN:
-        return f"its errors are those of `nbrdf fit` within {100 * MARGIN:.0f} %"
+        return f"over all its log_error is that of `nbrdf fit` within {100 * MARGIN:.0f} %"
     if found["low"] <= 1 <= found["high"]:
         return f"not told apart from `nbrdf fit`, whose errors may be {100 * (1 - 1 / found['high']):.0f} % smaller or {100 * (1 / found['low'] - 1):.0f} % larger"
     return f"its errors are {abs(100 * (found['mean'] - 1)):.1f} % {'larger' if found['mean'] > 1 else 'smaller'} than those of `nbrdf fit`"
@@ -97,7 +97,7 @@ def by_the_clock(scaling: dict) -> str:
     """What more devices bring to most materials, and what that is worth."""
     most = max(row["materials"] for row in scaling["rows"])
     alone, *more = sorted((row for row in scaling["rows"] if row["materials"] == most), key=lambda row: row["devices"])
-    gains = [f"{alone['step_of_material_s'] / row['step_of_material_s']:.1f} × faster on {row['devices']}" for row in more]
+    gains = [f"{alone['step_of_material_s'] / row['step_of_material_s']:.1f} × as fast on {row['devices']}" for row in more]
     others = max(row["others_cores"] or 0 for row in scaling["rows"])
     said = f" Others took up to {others:.1f} of the {scaling['cores']} cores meanwhile, so that the clock says little and processor time is what counts." if others > BUSY else ""
     return f"By the clock a step of {thousands(most)} materials is {' and '.join(gains)} devices than on one.{said}"

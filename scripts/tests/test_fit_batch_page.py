@@ -27,7 +27,7 @@ def rows(better: float) -> list[dict]:
     ]
 
 
-@pytest.mark.parametrize(("scale", "verdict", "says"), [(1.0, "same", "those of `nbrdf fit` within 10 %"), (1.2, "second", "20.0 % larger"), (0.8, "first", "20.0 % smaller")])
+@pytest.mark.parametrize(("scale", "verdict", "says"), [(1.0, "same", "that of `nbrdf fit` within 10 %"), (1.2, "second", "20.0 % larger"), (0.8, "first", "20.0 % smaller")])
 def test_titles_follow_the_figures(merl, rgl, scale, verdict, says):
     quality = fit_quality.compared(rows(scale))
     assert [(row["material"], row["held_out"], row["log_error"]["verdict"]) for row in quality["materials"]] == [("brass", False, verdict), ("rgl/paper_white", True, verdict)]
