@@ -59,7 +59,8 @@ pub fn line(told: &Value) -> String {
     let bytes: u64 = files.iter().filter_map(|file| file["bytes"].as_u64()).sum();
     let number = |key: &str| told["error"][key].as_f64().unwrap_or(f64::NAN);
     let figure = |key: &str| report::figure(number(key));
-    let elsewhere = 100.0 * number("image_pixel_error");
+    // Infinity is null in JSON.
+    let elsewhere = 100.0 * told["error"]["image_pixel_error"].as_f64().unwrap_or(f64::INFINITY);
     let name = told["material"].as_str().unwrap_or_default();
     format!(
         "{name} in {}, {}; log_error {}, studio PSNR {} dB, {elsewhere:.1} % of the light elsewhere\n",

@@ -129,6 +129,22 @@ fn files_that_come_with_another_are_replaced_only_as_an_export_left_them() {
 }
 
 #[test]
+fn what_is_read_stays_and_so_does_what_nobody_named() {
+    let place = Place::new();
+    place.run(&["export", "chrome", "-o", "nets.h5"]).ok();
+    place.run(&["encode", "chrome", "-o", "c.json"]).ok();
+    let said = place.run(&["export", "nets", "--library", "nets.h5", "-o", "nets.h5"]).fails(2);
+    assert!(said.contains("nets.h5: is read"), "{said}");
+    place.run(&["export", "chrome", "brass", "--to", "npz", "-o", "fits"]).ok();
+    place.run(&["export", "chrome", "brass", "--to", "npz", "-o", "fits"]).ok();
+    place.write("fits/brass.npz", b"my fit");
+    let said = place.run(&["export", "chrome", "brass", "--to", "npz", "-o", "fits"]).fails(2);
+    assert!(said.contains("brass.npz: is there"), "{said}");
+    assert_eq!(place.file("fits/brass.npz"), b"my fit");
+    place.run(&["export", "chrome", "brass", "--to", "npz", "--measure"]).ok();
+}
+
+#[test]
 fn a_name_with_a_dot_keeps_it_before_the_extension() {
     let place = Place::new();
     place.run(&["export", "chrome", "-o", "v1.chrome.npz"]).ok();

@@ -129,7 +129,7 @@ mod tests {
             let others = &EXPORTERS[..place];
             assert!(others.iter().all(|other| other.name != entry.name && other.extension != entry.extension));
             // Written beside each other under one stem, none replaces a file of another; but for Keras, whose readers look for
-            // `.json` and which therefore refuses to be written over a code.
+            // `.json`, and whose description is written over nothing but its own.
             let is_shared = |end: &&str| others.iter().any(|other| other.name != "keras" && other.ends.contains(end));
             assert!(!entry.ends.iter().any(is_shared), "{}", entry.name);
         }

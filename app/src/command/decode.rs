@@ -44,7 +44,7 @@ impl Decode {
     /// Runs the command.
     pub fn run(&self, global: &Global) -> Result<()> {
         let set = self.set()?;
-        set.check(std::slice::from_ref(&self.code))?;
+        set.check(&std::iter::once(self.code.clone()).chain(self.sources.inputs()).collect::<Vec<_>>())?;
         let shelf = self.sources.open()?;
         let item = shelf.code(&self.code)?;
         shelf.catalog.check_used()?;
@@ -65,6 +65,9 @@ impl Decode {
         let output = quoted(&set.named().to_string_lossy());
         let command = format!("nbrdf decode {} -o {output}{}", quoted(&self.code), self.sources.options());
         let made = set.make(&subject, &shelf.catalog, &command)?;
+        if let Some(told) = exported::warning(set.form, &made.manifest["error"]) {
+            global.warn(format_args!("{name}: {told}"))?;
+        }
         let summary = json!({
             "schema": 1, "material": name, "model": model, "hidden": network.map(Nbrdf::hidden),
             "weights": network.map(|network| network.weights().len()), "output": self.output.display().to_string(),
@@ -81,6 +84,6 @@ impl Decode {
             let path = self.output.display();
             Failure::Usage(format!("{path}: expected the extension {}", listed(&extensions())))
         })?;
-        Ok(FileSet { form, stem: self.output.with_extension("") })
+        Ok(FileSet { form, stem: self.output.with_extension(""), is_named: true })
     }
 }

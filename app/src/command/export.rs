@@ -52,10 +52,11 @@ impl Export {
         let shelf = self.sources.open()?;
         let items = self.items(&shelf, to.form, global)?;
         shelf.catalog.check_used()?;
-        to.make_folder()?;
         let sets = to.sets(items.iter().map(|item| item.material.name.as_str()))?;
         if !self.measure {
-            sets.iter().try_for_each(|set| set.check(&self.materials))?;
+            to.make_folder()?;
+            let inputs: Vec<String> = self.materials.iter().cloned().chain(self.sources.inputs()).collect();
+            sets.iter().try_for_each(|set| set.check(&inputs))?;
         }
         let bar = progress::bar(items.len() as u64, to.form.name, global.quiet);
         let mut exports = Vec::new();

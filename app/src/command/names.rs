@@ -41,7 +41,11 @@ pub fn methods() -> PossibleValuesParser {
 
 /// Each once, however many variants a name has.
 fn each(names: impl Iterator<Item = &'static str>) -> PossibleValuesParser {
-    let mut once: Vec<&str> = names.collect();
-    once.dedup();
+    let mut once: Vec<&str> = Vec::new();
+    for name in names {
+        if !once.contains(&name) {
+            once.push(name);
+        }
+    }
     once.into()
 }

@@ -12,12 +12,17 @@ use crate::catalog::{Catalog, ExporterEntry};
 use crate::failure::Failure;
 use crate::output;
 
+/// Bytes of a manifest that is looked into: one has some thousands.
+const MOST_MANIFEST: u64 = 1 << 20;
+
 /// Names of the files of one material in one form, its manifest among them.
 pub struct FileSet {
     /// The form.
     pub form: &'static ExporterEntry,
     /// What all names begin with.
     pub stem: PathBuf,
+    /// Whether somebody has named the file, rather than a folder for it.
+    pub is_named: bool,
 }
 
 /// What the files are to hold.
@@ -54,7 +59,8 @@ impl FileSet {
 
     fn check_path(&self, path: &Path, inputs: &[String]) -> Result<()> {
         output::check_no_input(path, inputs)?;
-        if path != self.named() && path != self.manifest() && path.is_file() && !self.is_own(path) {
+        let is_meant = path == self.manifest() || self.is_named && path == self.named();
+        if !is_meant && path.is_file() && !self.is_own(path) {
             let path = path.display();
             return Err(Failure::Usage(format!(
                 "{path}: is there, is not as an export left it, and would be written over: move it, or choose another name"
@@ -66,10 +72,16 @@ impl FileSet {
 
     /// Whether the manifest that is there tells of such a file.
     fn is_own(&self, path: &Path) -> bool {
+        let length = |path: &Path| path.metadata().ok().filter(|found| found.is_file()).map(|found| found.len());
+        if length(&self.manifest()).is_none_or(|length| length > MOST_MANIFEST) {
+            return false;
+        }
         let manifest = std::fs::read(self.manifest()).ok().and_then(|text| serde_json::from_slice::<Value>(&text).ok());
-        let found = std::fs::read(path).ok().map(|bytes| told(&(path.to_owned(), bytes)));
-        let files = manifest.as_ref().and_then(|manifest| manifest["files"].as_array());
-        found.zip(files).is_some_and(|(found, files)| files.contains(&found))
+        let files = manifest.as_ref().and_then(|manifest| manifest["files"].as_array()).map_or(&[][..], Vec::as_slice);
+        // What is of another length need not be read.
+        let is_as_long =
+            files.iter().any(|file| file["bytes"].as_u64().is_some_and(|bytes| length(path) == Some(bytes)));
+        is_as_long && std::fs::read(path).is_ok_and(|bytes| files.contains(&told(&(path.to_owned(), bytes))))
     }
 
     /// What the files are to hold, and how far that is from the material.
@@ -104,7 +116,8 @@ mod tests {
 
     #[test]
     fn the_manifest_comes_first_and_keeps_off_other_forms() {
-        let set = |form: &str| FileSet { form: ExporterEntry::named(form).unwrap(), stem: "a/v1.b".into() };
+        let set =
+            |form: &str| FileSet { form: ExporterEntry::named(form).unwrap(), stem: "a/v1.b".into(), is_named: true };
         let names = ["a/v1.b.bsdf.manifest.json", "a/v1.b.bsdf", "a/v1.b.xml"];
         assert_eq!(set("bsdf").paths(), names.map(PathBuf::from));
         assert_eq!(set("npy").named(), Path::new("a/v1.b.npy"));

@@ -32,6 +32,11 @@ impl Sources {
         given.into_iter().filter_map(option).collect()
     }
 
+    /// The files that are read: nothing may be written over them.
+    pub fn inputs(&self) -> impl Iterator<Item = String> {
+        [&self.library, &self.checkpoint].into_iter().flatten().map(|path| path.to_string_lossy().into_owned())
+    }
+
     /// Reads what was named.
     pub fn open(&self) -> Result<Shelf> {
         // Bases are learned from what the binary carries: a code means the same on every machine.

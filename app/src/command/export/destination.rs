@@ -46,7 +46,8 @@ impl Destination {
 
     /// Each material's files; names that a folder cannot hold twice are refused.
     pub fn sets<'a>(&self, names: impl Iterator<Item = &'a str>) -> Result<Vec<FileSet>> {
-        let set = |stem: PathBuf| FileSet { form: self.form, stem };
+        let is_named = matches!(self.place, Place::Stem(_));
+        let set = |stem: PathBuf| FileSet { form: self.form, stem, is_named };
         let folder = match &self.place {
             Place::Stem(stem) => return Ok(vec![set(stem.clone())]),
             Place::Folder(folder) => folder,
