@@ -8,7 +8,7 @@ use std::{
 use exr::{
     block::reader::Reader,
     error::Error,
-    meta::{header::Header, magic_number},
+    meta::{BlockDescription, header::Header, magic_number},
     prelude::{
         Encoding, Image as ExrImage, LayerAttributes, ReadChannels, ReadLayers, SpecificChannels, Vec2, WritableImage,
     },
@@ -21,6 +21,8 @@ use crate::{Rgb, atomic};
 const MAX_CHANNELS: usize = 64;
 /// Most pixels that a byte can stand for: deflate makes 1032 of one, and a pixel has three halves.
 const MOST_PER_BYTE: u64 = 256;
+/// Pixels along a tile that any picture may have, also one that is smaller.
+const TILE: usize = 1024;
 /// Channels named in an error.
 const NAMED: usize = 8;
 /// What files start with.
@@ -72,6 +74,7 @@ pub(super) fn read(from: impl Read + Seek, bytes: u64) -> Result<Image, ImageRea
     let Vec2(width, height) = chunks.headers()[0].layer_size;
     check_size(width, height)?;
     check_claim(width, height, bytes, MOST_PER_BYTE)?;
+    check_tiles(&chunks.headers()[0])?;
     // A damaged table of blocks may leave pixels out; they are not to pass for black.
     let create = move |_, _: &_| Image::new(width, height, vec![Rgb::splat(f32::NAN); width * height]);
     let set = move |image: &mut Image, at: Vec2<usize>, (red, green, blue): (f32, f32, f32)| {
@@ -104,6 +107,17 @@ fn check_channels(layers: &[Header]) -> Result<(), ImageReadProblem> {
     }
     let layers = if let [_] = layers { "1 layer".to_owned() } else { format!("{} layers", layers.len()) };
     Err(ImageReadProblem::Channels { found: format!("{layers} with {}", names.join(", ")) })
+}
+
+/// Refuses tiles that reach far beyond the picture: the decoder takes memory for all of their pixels.
+fn check_tiles(layer: &Header) -> Result<(), ImageReadProblem> {
+    let BlockDescription::Tiles(tiles) = layer.blocks else { return Ok(()) };
+    let (Vec2(width, height), Vec2(across, down)) = (layer.layer_size, tiles.tile_size);
+    if across <= width.max(TILE) && down <= height.max(TILE) {
+        return Ok(());
+    }
+    let reason = format!("tiles of {across} × {down} pixels in a picture of {width} × {height}");
+    Err(ImageReadProblem::Damaged { format: "OpenEXR", reason })
 }
 
 fn problem(error: Error) -> ImageReadProblem {

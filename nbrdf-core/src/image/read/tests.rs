@@ -186,6 +186,24 @@ fn a_header_that_claims_more_than_the_file_can_hold_is_refused_before_memory_is_
     assert_eq!(read(&hdr(&black)).unwrap(), black);
 }
 
+#[test]
+fn tiles_that_reach_far_beyond_the_picture_are_refused() {
+    let tiled = |side: usize| {
+        let encoding = Encoding { blocks: Blocks::Tiles(Vec2(side, side)), ..Encoding::FAST_LOSSLESS };
+        let channels = SpecificChannels::rgb(|_: Vec2<usize>| (0.5_f32, 0.25_f32, 0.125_f32));
+        let layer = Layer::new((16, 8), LayerAttributes::default(), encoding, channels);
+        let mut bytes = Cursor::new(Vec::new());
+        ExrImage::from_layer(layer).write().to_buffered(&mut bytes).unwrap();
+        bytes.into_inner()
+    };
+    assert_eq!(read(&tiled(64)).unwrap().get(15, 7), Rgb([0.5, 0.25, 0.125]));
+    let mut bytes = tiled(64);
+    let place = bytes.windows(9).position(|window| window == b"tiledesc\0").unwrap() + 13;
+    bytes[place..place + 4].copy_from_slice(&1_900_544_u32.to_le_bytes());
+    let error = read(&bytes).unwrap_err().to_string();
+    assert!(error.contains("tiles of 1900544 × 64 pixels in a picture of 16 × 8"), "{error}");
+}
+
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(2048))]
 
