@@ -6,7 +6,7 @@
 import sys
 from pathlib import Path
 
-from records import Invalid, numbered, read, write
+from records import Invalid, numbered, of_folder, read
 from results_table import ROOT
 
 KEYS = ("log_error", "relative_log", "studio_psnr", "studio_flip", "studio_delta_e_itp")
@@ -28,10 +28,7 @@ def record(folder: Path) -> dict:
 
 
 def main(arguments: list[str], out: Path = ROOT / "docs/ablation.json") -> int:
-    if len(arguments) != 1:
-        print(__doc__, file=sys.stderr)
-        return 2
-    return write(lambda: record(Path(arguments[0])), out)
+    return of_folder(arguments, __doc__, record, out)
 
 
 if __name__ == "__main__":

@@ -8,7 +8,7 @@ import statistics
 import sys
 from pathlib import Path
 
-from records import Invalid, write
+from records import Invalid, of_folder
 from results_table import ROOT
 
 # Whether more is better.
@@ -48,10 +48,7 @@ def spread(values: list[tuple[float, str]], more_is_better: bool) -> dict:
 
 
 def main(arguments: list[str], out: Path = ROOT / "docs/exports.json") -> int:
-    if len(arguments) != 1:
-        print(__doc__, file=sys.stderr)
-        return 2
-    return write(lambda: record(Path(arguments[0])), out)
+    return of_folder(arguments, __doc__, record, out)
 
 
 if __name__ == "__main__":

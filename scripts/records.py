@@ -40,6 +40,14 @@ def command(arguments: list[str], about: str | None, record: Callable[[Path, int
     return write(lambda: record(Path(arguments[0]), int(arguments[1])), out)
 
 
+def of_folder(arguments: list[str], about: str | None, record: Callable[[Path], dict], out: Path) -> int:
+    """A command of a folder alone; the exit code: 2 where it is called otherwise."""
+    if len(arguments) != 1:
+        print(about, file=sys.stderr)
+        return 2
+    return write(lambda: record(Path(arguments[0])), out)
+
+
 def write(make: Callable[[], dict], out: Path) -> int:
     """Writes what `make` gives; the exit code: 0, or 3 where it is given no usable report."""
     try:

@@ -64,10 +64,7 @@ impl Decode {
         global.warn_of(name, guard::of_result(item.material.brdf.as_ref()))?;
         let output = quoted(&set.named().to_string_lossy());
         let command = format!("nbrdf decode {} -o {output}{}", quoted(&self.code), self.sources.options());
-        let made = set.make(&subject, &shelf.catalog, &command)?;
-        if let Some(told) = exported::warning(set.form, &made.manifest["error"]) {
-            global.warn(format_args!("{name}: {told}"))?;
-        }
+        let made = set.make(&subject, &shelf.catalog, &command, global)?;
         let summary = json!({
             "schema": 1, "material": name, "model": model, "hidden": network.map(Nbrdf::hidden),
             "weights": network.map(|network| network.weights().len()), "output": self.output.display().to_string(),

@@ -91,10 +91,7 @@ impl Export {
         let subject = Subject { material: &item.material, code: item.code.as_ref() };
         let output = format!("{} -o {}", set.form.name, quoted(&set.named().to_string_lossy()));
         let command = format!("nbrdf export {} --to {output}{}", quoted(argument), self.sources.options());
-        let made = set.make(&subject, &shelf.catalog, &command)?;
-        if let Some(told) = exported::warning(set.form, &made.manifest["error"]) {
-            global.warn(format_args!("{}: {told}", item.material.name))?;
-        }
+        let made = set.make(&subject, &shelf.catalog, &command, global)?;
         let told = json!({
             "material": item.material.name, "files": made.manifest["files"], "error": made.manifest["error"],
             "manifest": (!self.measure).then(|| set.manifest().display().to_string()),

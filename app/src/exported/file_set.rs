@@ -6,9 +6,10 @@ use anyhow::{Context, Result};
 use nbrdf_core::atomic;
 use serde_json::Value;
 
-use super::{file as told, manifest};
+use super::{file as told, manifest, warning};
 use crate::catalog::exporters::Subject;
 use crate::catalog::{Catalog, ExporterEntry};
+use crate::command::Global;
 use crate::failure::Failure;
 use crate::output;
 
@@ -84,13 +85,17 @@ impl FileSet {
         is_as_long && std::fs::read(path).is_ok_and(|bytes| files.contains(&told(&(path.to_owned(), bytes))))
     }
 
-    /// What the files are to hold, and how far that is from the material.
+    /// What the files are to hold, and how far that is from the material; people are warned where it is too far.
     ///
     /// # Errors
     /// That the material lacks what the form needs, or that what was made cannot be read again.
-    pub fn make(&self, subject: &Subject<'_>, catalog: &Catalog, command: &str) -> Result<Made> {
+    pub fn make(&self, subject: &Subject<'_>, catalog: &Catalog, command: &str, global: &Global) -> Result<Made> {
         let files = self.form.files(&self.stem, subject)?;
-        Ok(Made { manifest: manifest(self.form, subject, &files, catalog, command)?, files })
+        let manifest = manifest(self.form, subject, &files, catalog, command)?;
+        if let Some(told) = warning(self.form, &manifest["error"]) {
+            global.warn(format_args!("{}: {told}", subject.material.name))?;
+        }
+        Ok(Made { manifest, files })
     }
 
     /// Writes all of them, or none.

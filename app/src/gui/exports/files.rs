@@ -30,7 +30,10 @@ impl Files {
             News::Written { files, warning } => {
                 self.end();
                 let told = written(&files);
-                Some(warning.map_or_else(|| told.clone(), |warning| format!("{told} But {warning}.")))
+                Some(match warning {
+                    Some(warning) => format!("{told} But {warning}."),
+                    None => told,
+                })
             }
             News::Failed(why) => {
                 self.end();
